@@ -1,0 +1,52 @@
+// A whole set of constraints, as the solver sees it: "stretch of the flag". The solver knows order
+// and importance of a set and nothing of its inside (Stam 2009, section 6); a set of the user's own
+// derives from this as well.
+#pragma once
+
+#include "kernels.h"
+#include "state.h"
+#include "workers.h"
+
+#include <string>
+
+namespace plait {
+
+// How one evaluation runs.
+enum class Direction { forward, backward };
+
+// Where in time a substep lies; targets move linearly within a frame (M 2.4).
+struct Substep {
+    double h;              // s
+    double frameFraction;  // part of the frame that is over at its end, 0 to 1
+};
+
+template <class Real>
+class Constraint {
+public:
+    virtual ~Constraint() = default;
+
+    // A frame begins, from time t0 to t1 (s): what moves finds out from where to where.
+    virtual void beginFrame(double /*t0*/, double /*t1*/) {}
+    // A substep begins: multipliers to zero, moving targets to where they are at its end.
+    virtual void begin(const Substep&, Workers&) {}
+
+    // Every constraint of the set once; backward is exactly the reverse of forward. Corrections go
+    // to the d of sweep.particles.
+    virtual void project(const Sweep<Real>&, Direction, Workers&) = 0;
+    // Corrections are summed into sweep.out instead. Sets that cannot smooth do nothing.
+    virtual void smooth(const Sweep<Real>&, Workers&) {}
+    // Takes the part sweep.strength off the rate of C, in the velocities sweep.out.
+    virtual void damp(const Sweep<Real>&, Workers&) {}
+
+    // For smoothing: adds the constraints at each vertex; then learns the sums over all sets.
+    virtual void countAt(std::vector<int>& /*counts*/) const {}
+    virtual void relaxBy(const std::vector<int>& /*counts*/) {}
+
+    // Marks the vertices that a one-sided constraint pushed in this substep.
+    virtual void markTouched(std::vector<std::uint8_t>& /*touched*/) const {}
+
+    // Constraints in the set: the counted work of a sweep.
+    virtual long size() const = 0;
+};
+
+}  // namespace plait

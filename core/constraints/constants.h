@@ -1,0 +1,27 @@
+// What every kind may use. A kind is one header with the local mathematics of one constraint:
+//
+//   arity                    how many vertices it joins
+//   Row<T>                   its parameters, members of type T only
+//   evaluate(row, x, g)      C(x) and its gradient. x is relative to the first vertex, or, where
+//                            arity is 1, to origin(row); so no digits go to where the scene stands
+//   compliance(row, s)       inverse stiffness, given the sign of s: the value C would have without
+//                            this constraint. `slack` means that the constraint does not act there
+//   rest(x)                  the row for which x is the rest shape
+//
+// All but the last run as double, float and packs: no branches, no library, no bare division.
+// Kinds do not know particles, sets, methods or time.
+#pragma once
+
+#include "../math.h"
+
+namespace plait {
+inline namespace PLAIT_ISA {
+
+// The compliance where a constraint does not act: its multiplier is 0 there. One-sided constraints
+// are two-sided ones with this on their free side.
+inline constexpr double slack = 1e30;
+
+inline constexpr double pi = 3.14159265358979323846;
+
+}  // namespace PLAIT_ISA
+}  // namespace plait

@@ -1,0 +1,22 @@
+// Every kind the core knows: one line here, and a kind has kernels for each instruction set, each
+// lane width and both precisions, and all of the tests of tests/test_kinds.cpp.
+#pragma once
+
+#include "angle.h"
+#include "attach.h"
+#include "bend.h"
+#include "contact.h"
+#include "shear.h"
+#include "stretch.h"
+
+namespace plait {
+inline namespace PLAIT_ISA {
+
+template <class... Kind>
+struct KindList {};
+
+using Kinds =
+    KindList<Stretch, Angle, Shear, Bend, Attach, PlaneContact, SphereContact, CapsuleContact>;
+
+}  // namespace PLAIT_ISA
+}  // namespace plait

@@ -1,0 +1,207 @@
+#include "solver.h"
+
+#include "elementary.h"
+#include "measure/finite.h"
+#include "measure/hash.h"
+#include "methods/nucleus.h"
+#include "methods/xpbd.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plait {
+
+// One substep: S sections 5 and 6, XPBD (2016) algorithm 1, and V for the second order.
+template <class Real>
+void Solver<Real>::substep(double frameFraction) {
+    const bool second = options_.integrator == Integrator::bdf2 && state_.hasPast;
+    implied_ = second ? 2 * h_ / 3 : h_;
+    startVelocities(second);   // v <- v, or (4 v - v1) / 3
+    applyForces();             // v <- v + h W f
+    predict(second);           // x <- x + h v, or (4 x - x1) / 3 + 2/3 h v
+    movePins(frameFraction);   // x <- where the artist wants it
+    beginSets(frameFraction);  // lambda <- 0
+    sweepColumns();            // x <- x + W J^T dlambda, set by set
+    smooth();
+    updateVelocities(second);  // v <- (x - x1) / h, or (3 x - 4 x1 + x2) / 2 h
+    dampRates();
+    fold();  // X <- X + d, and what rounding leaves stays in d
+    state_.hasPast = true;
+    ++state_.substep;
+}
+
+// Columns left to right, each top to bottom by order (S figure 11): its sets forward and then
+// exactly backward, so that a sweep is self-adjoint in the masses and adds no energy; then its
+// contacts likewise, which have the last word.
+template <class Real>
+void Solver<Real>::sweepColumns() {
+    schedule_.plan(state_.substep, plan_);
+    const bool turn = options_.sweeps == Sweeps::alternating && state_.substep % 2 == 1;
+    column_ = 0;
+    for (const SubstepPlan::Column& column : plan_.columns) {
+        for (const auto sets : {plan_.constraints(column), plan_.contacts(column)}) {
+            evaluate(sets, turn ? Direction::backward : Direction::forward);
+            if (options_.sweeps == Sweeps::palindrome) evaluate(sets, Direction::backward);
+        }
+        ++column_;
+    }
+}
+
+template <class Real>
+void Solver<Real>::evaluate(std::span<const int> sets, Direction direction) {
+    const bool back = direction == Direction::backward;
+    // Forward and backward are one evaluation, noted once.
+    const bool noted = log && !(back && options_.sweeps == Sweeps::palindrome);
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        const int s = sets[back ? sets.size() - 1 - i : i];
+        Constraint<Real>& set = *sets_[static_cast<std::size_t>(s)];
+        set.project(sweepOf(s), direction, workers_);
+        evaluations_ += set.size();
+        if (noted) log->push_back({state_.substep, column_, s});
+        if (blaming_) blame(setOptions_[static_cast<std::size_t>(s)].name);
+    }
+}
+
+template <class Real>
+Sweep<Real> Solver<Real>::sweepOf(int set) {
+    Sweep<Real> sweep = options_.method == Method::nucleus
+                            ? nucleusSweep<Real>(schedule_.strength(set))
+                            : xpbdSweep<Real>(implied_);
+    sweep.particles = &state_.particles[0].x.x;
+    sweep.air = state_.hasAir ? &state_.air[0].v.x : nullptr;
+    return sweep;
+}
+
+// Jacobi iterations: slower than the columns, but what error is left is spread out (V) [SC16]. Each
+// correction is divided by the constraints at its busiest vertex, which keeps momentum; dividing
+// vertex by vertex would not.
+template <class Real>
+void Solver<Real>::smooth() {
+    for (int iteration = 0; iteration < options_.smoothing; ++iteration) {
+        std::fill(sums_.begin(), sums_.end(), Padded<Real>{});
+        for (std::size_t s = 0; s < sets_.size(); ++s) {
+            Sweep<Real> sweep = sweepOf(static_cast<int>(s));
+            sweep.out = &sums_[0].v.x;
+            sets_[s]->smooth(sweep, workers_);
+            evaluations_ += sets_[s]->size();
+            if (blaming_) blame(setOptions_[s].name);
+        }
+        for (std::size_t i = 0; i < sums_.size(); ++i) state_.particles[i].d += sums_[i].v;
+    }
+    if (options_.smoothing > 0) evaluate(contacts_, Direction::forward);
+}
+
+template <class Real>
+void Solver<Real>::dampRates() {
+    for (std::size_t s = 0; s < sets_.size(); ++s) {
+        if (setOptions_[s].damping <= 0) continue;
+        Sweep<Real> sweep = sweepOf(static_cast<int>(s));
+        sweep.strength = static_cast<Real>(1 - power(1 - setOptions_[s].damping, 24 * h_));
+        sweep.out = &state_.velocity[0].v.x;
+        sets_[s]->damp(sweep, workers_);
+        if (options_.integrator == Integrator::bdf2) {
+            sweep.out = &state_.lastVelocity[0].v.x;  // from which it extrapolates
+            sets_[s]->damp(sweep, workers_);
+        }
+        if (blaming_) blame(setOptions_[s].name);
+    }
+}
+
+template <class Real>
+void Solver<Real>::applyForces() {
+    for (const auto& force : forces_) force->prepare(state_, workers_);
+    for (const auto& force : forces_) {
+        force->apply(state_, time(), implied_, workers_);
+        if (blaming_) blame(force->name());
+    }
+}
+
+template <class Real>
+void Solver<Real>::beginSets(double frameFraction) {
+    for (const auto& set : sets_) set->begin({h_, frameFraction}, workers_);
+}
+
+template <class Real>
+void Solver<Real>::frame() {
+    const FlushDenormals flush;
+    checkpoint_ = state_;
+    const long evaluations = evaluations_;
+    advance();
+    if (!broken_) return;
+    const auto putBack = [&] {
+        state_ = checkpoint_;
+        evaluations_ = evaluations;
+        broken_ = blaming_ = false;
+    };
+    // The run is deterministic, so the frame is taken again to see what breaks it.
+    putBack();
+    blaming_ = true;
+    try {
+        advance();
+    } catch (const Diverged&) {
+        putBack();
+        throw;
+    }
+    putBack();
+    throw Diverged("something that did so only once", state_.substep);
+}
+
+template <class Real>
+void Solver<Real>::advance() {
+    const int n = options_.schedule.substeps;
+    const double t0 = time(), t1 = static_cast<double>(state_.substep + n) * h_;
+    for (Pins& pins : pins_)
+        for (std::size_t i = 0; i < pins.vertices.size(); ++i) {
+            pins.from[i] = pins.motion(pins.start[i], t0);
+            pins.to[i] = pins.motion(pins.start[i], t1);
+        }
+    for (const auto& force : forces_) force->beginFrame(state_, t0, t1, workers_);
+    for (const auto& set : sets_) set->beginFrame(t0, t1);
+    for (int i = 1; i <= n; ++i) substep(static_cast<double>(i) / n);
+}
+
+template <class Real>
+void Solver<Real>::blame(const std::string& culprit) const {
+    for (std::size_t i = 0; i < state_.particles.size(); ++i)
+        if (!isFinite(state_.particles[i].d) || !isFinite(state_.velocity[i].v))
+            throw Diverged(culprit, state_.substep);
+}
+
+template <class Real>
+void Solver<Real>::rewind() {
+    state_ = start_;
+    evaluations_ = 0;
+}
+
+template <class Real>
+void Solver<Real>::restore(const State<Real>& state, long evaluations) {
+    for (const auto* array :
+         {&state.velocity, &state.before, &state.last, &state.lastVelocity, &state.air})
+        if (array->size() != state_.velocity.size() ||
+            state.particles.size() != state_.particles.size())
+            throw std::invalid_argument("a state of another world cannot be restored");
+    state_ = state;
+    evaluations_ = evaluations;
+}
+
+template <class Real>
+std::uint64_t Solver<Real>::hash() const {
+    std::uint64_t hash = hashSeed;
+    for (const Particle<Real>& p : state_.particles)
+        if (!isFinite(p.x) || !isFinite(p.d)) throw std::logic_error("hash of a state not finite");
+    for (const auto* array : {&state_.velocity, &state_.before, &state_.last, &state_.lastVelocity})
+        for (const Padded<Real>& p : *array)
+            if (!isFinite(p.v)) throw std::logic_error("hash of a state not finite");
+    hash = hashOf(std::span<const Particle<Real>>(state_.particles), hash);
+    hash = hashOf(std::span<const Padded<Real>>(state_.velocity), hash);
+    if (options_.integrator == Integrator::bdf2) {
+        hash = hashOf(std::span<const Padded<Real>>(state_.last), hash);
+        hash = hashOf(std::span<const Padded<Real>>(state_.lastVelocity), hash);
+    }
+    return hash;
+}
+
+template class Solver<float>;
+template class Solver<double>;
+
+}  // namespace plait

@@ -1,0 +1,109 @@
+// The solver: takes a world through time, frame by frame. The step is in solver.cpp, the file to
+// read first.
+#pragma once
+
+#include "constraint.h"
+#include "forces/force.h"
+#include "schedule.h"
+#include "solver_options.h"
+#include "state.h"
+#include "workers.h"
+#include "world.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace plait {
+
+template <class Real>
+class Solver {
+public:
+    // `world` is read here and not kept. Throws std::invalid_argument for options out of range, a
+    // vertex that moves without mass, and a start that is no number in the precision of the run.
+    Solver(const World& world, const SolverOptions& options);
+
+    // Advances by one frame. Throws Diverged, with everything put back to where the frame began, if
+    // a number is not finite. Allocates nothing after the first frame.
+    void frame();
+    // Back to the start of the run, bit for bit [AR11].
+    void rewind();
+    // Goes on from a state() of a solver of the same world and options, bit for bit, taken between
+    // frames together with its evaluations(). Throws std::invalid_argument for a state of another
+    // size.
+    void restore(const State<Real>& state, long evaluations);
+    // Gives BDF2 the substep before the present one: positions (m) and velocities (m/s) by vertex.
+    // Without it the first substep is of first order. Throws std::invalid_argument unless there is
+    // one finite entry a vertex.
+    void setPast(std::span<const Vec<double>> positions, std::span<const Vec<double>> velocities);
+
+    // Where everything is, in m and m/s.
+    std::vector<Vec<double>> positions() const;
+    std::vector<Vec<double>> velocities() const;
+    // Of every number that decides the future. Throws std::logic_error if one is not finite: the
+    // hash of a NaN is very stable.
+    std::uint64_t hash() const;
+
+    double time() const { return static_cast<double>(state_.substep) * h_; }  // s
+    double substepLength() const { return h_; }                               // s
+    long evaluations() const { return evaluations_; }  // constraints swept: the counted work
+    const State<Real>& state() const { return state_; }
+    const Constraint<Real>& set(int i) const { return *sets_[static_cast<std::size_t>(i)]; }
+    const Schedule& schedule() const { return schedule_; }
+
+    std::vector<LogMark>* log = nullptr;  // while set, every evaluation is noted here
+
+private:
+    void setUpState(const World& world);
+    void setUpSets(const World& world);
+
+    void advance();
+    void substep(double frameFraction);
+    void startVelocities(bool second);
+    void applyForces();
+    void predict(bool second);
+    void movePins(double frameFraction);
+    void beginSets(double frameFraction);
+    void sweepColumns();
+    void evaluate(std::span<const int> sets, Direction direction);
+    void smooth();
+    void updateVelocities(bool second);
+    void dampRates();
+    void fold();
+    Sweep<Real> sweepOf(int set);
+    void blame(const std::string& culprit) const;
+
+    // Pinned vertices that move, and where they are at both ends of the frame.
+    struct Pins {
+        std::vector<int> vertices;
+        Motion motion;
+        std::vector<Vec<double>> start, from, to;
+    };
+
+    SolverOptions options_;
+    Schedule schedule_;
+    Workers workers_;
+    State<Real> state_, start_, checkpoint_;
+    std::vector<SetOptions> setOptions_;
+    std::vector<bool> isContact_;
+    std::vector<std::unique_ptr<Constraint<Real>>> sets_;
+    std::vector<std::unique_ptr<Force<Real>>> forces_;
+    std::vector<Pins> pins_;
+    std::vector<Padded<Real>> sums_;     // of corrections, for smoothing
+    std::vector<std::uint8_t> touched_;  // by a one-sided constraint, for BDF2's fall-back
+    std::vector<int> contacts_;          // sets, by order
+    SubstepPlan plan_;
+    int column_ = 0;
+    double h_;        // s, substep
+    double implied_;  // s, the step that forces and compliance see: h, or 2 h / 3 under BDF2
+    long evaluations_ = 0;
+    std::atomic<bool> broken_{false};  // a number is not finite
+    bool blaming_ = false;             // the frame runs again to find out which set broke it
+};
+
+extern template class Solver<float>;
+extern template class Solver<double>;
+
+}  // namespace plait

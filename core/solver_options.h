@@ -1,0 +1,57 @@
+// How a world is taken through time.
+#pragma once
+
+#include "kernels.h"
+#include "schedule.h"
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace plait {
+
+enum class Method { xpbd, nucleus };
+
+// The velocity rule: v = (x - x1) / h, or BDF2, v = (3 x - 4 x1 + x2) / 2 h with its own predictor
+// (Vellum's second order, V; validation A1). BDF2 wants a converged solve.
+enum class Integrator { first, bdf2 };
+
+// What a column does with its sets: forward and then exactly backward; forward only; or forward in
+// one substep and backward in the next. The last two are baselines that are seen to fail.
+enum class Sweeps { palindrome, oneWay, alternating };
+
+struct SolverOptions {
+    Method method = Method::xpbd;
+    Integrator integrator = Integrator::first;
+    Sweeps sweeps = Sweeps::palindrome;
+    ScheduleOptions schedule = {.substeps = 10, .iterations = 1};
+    int smoothing = 0;     // Jacobi iterations after the columns (V: 10), contacts once more after
+    double damping = 0;    // part of the velocity that is lost in 1/24 s, 0 to 1 [IN23]
+    double timeScale = 1;  // seconds that pass in a second of film, above 0 [IN25]
+    // m/s^2. Above it a vertex that a one-sided constraint pushed falls back to first order under
+    // BDF2 [IN20, IN21].
+    double maxAcceleration = std::numeric_limits<double>::infinity();
+    bool limitAcceleration = false;  // any larger change of velocity is cut to it [IN22]
+    int threads = 1;
+    KernelChoice kernels = bestKernels();
+};
+
+// A number is not finite, and `culprit`, a set or a force, was the first to make one.
+struct Diverged : std::runtime_error {
+    Diverged(std::string name, long at)
+        : std::runtime_error(name + " made a number that is not finite, in substep " +
+                             std::to_string(at)),
+          culprit(std::move(name)),
+          substep(at) {}
+    std::string culprit;
+    long substep;
+};
+
+// One evaluation of a set.
+struct LogMark {
+    long substep;
+    int column;
+    int set;
+};
+
+}  // namespace plait

@@ -1,0 +1,76 @@
+#include "workers.h"
+
+#include <immintrin.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace plait {
+namespace {
+
+// Colours take microseconds, so a thread first spins; then it sleeps, because there may be more
+// threads than cores.
+template <class T>
+void await(const std::atomic<T>& value, T old) {
+    constexpr int spins = 4000;
+    for (int i = 0; i < spins; ++i) {
+        if (value.load(std::memory_order_acquire) != old) return;
+        _mm_pause();
+    }
+    value.wait(old, std::memory_order_acquire);
+}
+
+}  // namespace
+
+Workers::Workers(int threads) {
+    if (threads < 1) throw std::invalid_argument("threads must be at least 1");
+    for (int t = 1; t < threads; ++t) pool_.emplace_back([this, t] { serve(t); });
+}
+
+Workers::~Workers() {
+    stop_ = true;
+    ++round_;
+    round_.notify_all();
+}
+
+void Workers::run(const Job& job) {
+    if (pool_.empty() || job.count < 2 * job.block) {
+        if (job.count > 0) job.call(job.context, 0, job.count);
+        return;
+    }
+    job_ = job;
+    running_.store(static_cast<int>(pool_.size()), std::memory_order_relaxed);
+    round_.fetch_add(1, std::memory_order_release);
+    round_.notify_all();
+    share(0);
+    for (int left = running_.load(std::memory_order_acquire); left > 0;
+         left = running_.load(std::memory_order_acquire))
+        await(running_, left);
+}
+
+void Workers::share(int thread) const {
+    const long blocks = (job_.count + job_.block - 1) / job_.block, all = threads();
+    const long first = blocks * thread / all, last = blocks * (thread + 1) / all;
+    const int begin = static_cast<int>(first * job_.block);
+    const int end = static_cast<int>(std::min<long>(last * job_.block, job_.count));
+    if (begin < end) job_.call(job_.context, begin, end);
+}
+
+void Workers::serve(int thread) {
+    const FlushDenormals flush;
+    for (unsigned seen = 0;; ++seen) {
+        await(round_, seen);
+        if (stop_) return;
+        share(thread);
+        if (running_.fetch_sub(1, std::memory_order_acq_rel) == 1) running_.notify_all();
+    }
+}
+
+FlushDenormals::FlushDenormals() : saved_(_mm_getcsr()) {
+    constexpr unsigned flushToZero = 0x8000, denormalsAreZero = 0x0040;
+    _mm_setcsr(saved_ | flushToZero | denormalsAreZero);
+}
+
+FlushDenormals::~FlushDenormals() { _mm_setcsr(saved_); }
+
+}  // namespace plait

@@ -1,0 +1,63 @@
+// Threads that run blocks of fixed size from fixed starts: which thread runs a block never shows in
+// a result. No locks, no atomics on data, no allocation after construction.
+#pragma once
+
+#include <atomic>
+#include <thread>
+#include <vector>
+
+namespace plait {
+
+class Workers {
+public:
+    // `threads` >= 1, the calling one included. Throws std::invalid_argument otherwise.
+    explicit Workers(int threads);
+    ~Workers();
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
+
+    int threads() const { return static_cast<int>(pool_.size()) + 1; }
+
+    // Calls body(begin, end) for consecutive blocks of [0, count) and returns when all are done.
+    // The blocks are dealt out in contiguous runs, so that a thread meets the same data every time.
+    // A count of less than two blocks runs here. `body` must not throw.
+    template <class Body>
+    void forBlocks(int count, int block, const Body& body) {
+        const auto call = [](const void* context, int begin, int end) {
+            (*static_cast<const Body*>(context))(begin, end);
+        };
+        run({call, &body, count, block});
+    }
+
+private:
+    struct Job {
+        void (*call)(const void*, int, int);
+        const void* context;
+        int count, block;
+    };
+
+    void run(const Job& job);
+    void share(int thread) const;
+    void serve(int thread);
+
+    Job job_{};
+    std::atomic<unsigned> round_{0};
+    std::atomic<int> running_{0};
+    std::atomic<bool> stop_{false};
+    std::vector<std::jthread> pool_;
+};
+
+// Flushes denormal numbers to zero on this thread while it lives: alike in all threads, or a
+// decaying motion would end in different bits, and a hundred times slower.
+class FlushDenormals {
+public:
+    FlushDenormals();
+    ~FlushDenormals();
+    FlushDenormals(const FlushDenormals&) = delete;
+    FlushDenormals& operator=(const FlushDenormals&) = delete;
+
+private:
+    unsigned saved_;
+};
+
+}  // namespace plait

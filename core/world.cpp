@@ -1,0 +1,115 @@
+#include "world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
+namespace plait {
+namespace {
+
+// Length, area or volume of a simplex; 1 for a point.
+double measure(int k, std::span<const int> v, const std::vector<Vec<double>>& x) {
+    const auto at = [&](std::size_t i) { return x[static_cast<std::size_t>(v[i])]; };
+    if (k == 0) return 1;
+    const Vec<double> a = at(1) - at(0);
+    if (k == 1) return length(a);
+    const Vec<double> n = cross(a, at(2) - at(0));
+    return k == 2 ? length(n) / 2 : std::fabs(dot(n, at(3) - at(0))) / 6;
+}
+
+// A vertex takes part in the simplices of highest dimension around it: a cloth's edges weigh
+// nothing, a curve's do.
+std::vector<double> lumpedMass(const Shape& shape, double density) {
+    std::vector<double> mass(shape.positions.size(), 0);
+    for (int k = SimplicialComplex::maxDimension; k >= 0; --k) {
+        const std::vector<int> parents =
+            k < SimplicialComplex::maxDimension
+                ? shape.complex.valences(k)
+                : std::vector<int>(static_cast<std::size_t>(shape.complex.count(k)), 0);
+        for (int i = 0; i < shape.complex.count(k); ++i) {
+            if (parents[static_cast<std::size_t>(i)] > 0) continue;
+            const auto vertices = shape.complex.vertices(k, i);
+            const double share = density * measure(k, vertices, shape.positions) / (k + 1);
+            for (const int v : vertices) mass[static_cast<std::size_t>(v)] += share;
+        }
+    }
+    return mass;
+}
+
+}  // namespace
+
+Range World::add(const Shape& shape, const Matter& matter) {
+    const std::size_t n = shape.positions.size();
+    if (!(matter.density > 0) || !std::isfinite(matter.density))
+        throw std::invalid_argument("density must be positive, not " +
+                                    std::to_string(matter.density));
+    if (!matter.start.empty() && matter.start.size() != n)
+        throw std::invalid_argument("start must have one position a vertex");
+    if (!matter.velocity.empty() && matter.velocity.size() != n)
+        throw std::invalid_argument("velocity must have one entry a vertex");
+    const auto extend = [](auto& all, const auto& more) {
+        all.insert(all.end(), more.begin(), more.end());
+    };
+    extend(rest, shape.positions);
+    extend(start, matter.start.empty() ? shape.positions : matter.start);
+    extend(velocity, matter.velocity.empty() ? std::vector<Vec<double>>(n) : matter.velocity);
+    extend(mass, lumpedMass(shape, matter.density));
+    pinned.resize(mass.size(), 0);
+    return complex.append(shape.complex);
+}
+
+void World::pin(std::vector<int> vertices, Motion motion) {
+    for (const int v : vertices)
+        if (v < 0 || static_cast<std::size_t>(v) >= pinned.size())
+            throw std::invalid_argument("pin: there is no vertex " + std::to_string(v));
+    for (const int v : vertices) pinned[static_cast<std::size_t>(v)] = 1;
+    pins.push_back({std::move(vertices), std::move(motion)});
+}
+
+std::vector<int> World::select(Range range,
+                               const std::function<bool(const Vec<double>&)>& where) const {
+    std::vector<int> chosen;
+    for (int v = range.first; v < range.last; ++v)
+        if (where(start[static_cast<std::size_t>(v)])) chosen.push_back(v);
+    return chosen;
+}
+
+void World::constrain(Recipe<Constraint> recipe, SetOptions options, bool contact) {
+    if (!(options.damping >= 0 && options.damping <= 1))
+        throw std::invalid_argument(options.name + ": damping must be in [0, 1]");
+    sets.push_back({std::move(options), contact, std::move(recipe)});
+}
+
+void checkStencils(const std::string& set, std::span<const int> ids, int arity, std::size_t rows,
+                   std::span<const int> colors, std::size_t vertices) {
+    const auto size = static_cast<std::size_t>(arity);
+    if (ids.size() != size * rows)
+        throw std::invalid_argument(set + ": " + std::to_string(rows) + " rows need " +
+                                    std::to_string(size * rows) + " vertices, not " +
+                                    std::to_string(ids.size()));
+    for (const int v : ids)
+        if (v < 0 || static_cast<std::size_t>(v) >= vertices)
+            throw std::invalid_argument(set + ": there is no vertex " + std::to_string(v));
+    if (colors.empty()) return;
+    if (colors.size() != rows)
+        throw std::invalid_argument(set + ": there must be one colour a row");
+    std::vector<std::pair<int, int>> uses;
+    for (std::size_t i = 0; i < ids.size(); ++i) uses.emplace_back(colors[i / size], ids[i]);
+    std::sort(uses.begin(), uses.end());
+    const auto twice = std::adjacent_find(uses.begin(), uses.end());
+    if (uses.front().first < 0) throw std::invalid_argument(set + ": a colour is negative");
+    if (twice != uses.end())
+        throw std::invalid_argument(set + ": a colour has vertex " + std::to_string(twice->second) +
+                                    " twice");
+}
+
+void World::warnOutside(const std::string& name, double value, double low, double high) {
+    if (value >= low && value <= high) return;
+    char text[160];
+    std::snprintf(text, sizeof text, "%s = %g is outside [%g, %g]", name.c_str(), value, low, high);
+    warnings.push_back(text);
+}
+
+}  // namespace plait

@@ -1,0 +1,143 @@
+// What is simulated, before anyone decides how: matter, sets of constraints and forces, in double.
+// Solvers of either precision are made from it, any number of them.
+#pragma once
+
+#include "constraint_set.h"
+#include "direct_set.h"
+#include "forces/force.h"
+#include "rows.h"
+#include "schedule.h"
+#include "shapes.h"
+
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace plait {
+
+// How a shape becomes matter.
+struct Matter {
+    double density = 1;                   // kg/m^3, kg/m^2, kg/m or kg: by its simplices of highest
+                                          // dimension; mass is lumped equally on their vertices
+    std::vector<Vec<double>> start = {};  // m; empty: the shape itself, which is the rest shape
+    std::vector<Vec<double>> velocity = {};  // m/s; empty: at rest
+};
+
+// Where a pinned vertex is at time t (s), given where it started (m).
+using Motion = std::function<Vec<double>(const Vec<double>& start, double t)>;
+
+struct SetOptions {
+    std::string name;
+    int order = 0;              // place in a column, later wins
+    int importance = 24;        // evaluations in 1/24 s
+    int secondaryInterval = 0;  // N: in every N-th pass only (Vellum's secondary pass)
+    double damping = 0;         // part of the rate of C that is lost in 1/24 s, 0 to 1
+    bool direct = false;        // solved at once in O(N); for links that form chains and trees
+};
+
+// Anything that can be made in either precision.
+template <template <class> class Base>
+struct Recipe {
+    std::function<std::unique_ptr<Base<float>>(const struct World&, KernelChoice)> single;
+    std::function<std::unique_ptr<Base<double>>(const struct World&, KernelChoice)> full;
+
+    template <class Real>
+    std::unique_ptr<Base<Real>> make(const struct World& world, KernelChoice kernels) const {
+        if constexpr (std::is_same_v<Real, float>)
+            return single(world, kernels);
+        else
+            return full(world, kernels);
+    }
+};
+
+struct World {
+    SimplicialComplex complex;
+    std::vector<Vec<double>> rest, start, velocity;  // m, m, m/s, by vertex
+    std::vector<double> mass;                        // kg, by vertex
+    std::vector<unsigned char> pinned;               // 1: moves only as told
+
+    struct Pins {
+        std::vector<int> vertices;
+        Motion motion;  // none: they stay
+    };
+    struct Set {
+        SetOptions options;
+        bool contact;
+        Recipe<Constraint> recipe;
+    };
+    std::vector<Pins> pins;
+    std::vector<Set> sets;
+    std::vector<Recipe<Force>> forces;
+    std::vector<std::string> warnings;  // values outside their sensible range, one line each [FH15]
+
+    // Adds a shape and returns its vertices. Throws std::invalid_argument for a density that is not
+    // positive and finite, or for a start or velocity of another length than the shape.
+    Range add(const Shape& shape, const Matter& matter = {});
+
+    // Pinned vertices have no inverse mass: nothing but `motion` moves them. Throws
+    // std::invalid_argument for a vertex that is not there.
+    void pin(std::vector<int> vertices, Motion motion = {});
+    // The vertices of `range` whose start satisfies `where`.
+    std::vector<int> select(Range range,
+                            const std::function<bool(const Vec<double>&)>& where) const;
+
+    template <class Kind>
+    void constrain(Rows<Kind> rows, SetOptions options);
+    // A set of the user's own; `make` is called once for each solver.
+    void constrain(Recipe<Constraint> recipe, SetOptions options, bool contact = false);
+
+    // F<Real> is a Force<Real> made from (World, options), or, where it has kernels of its own,
+    // from (World, options, KernelChoice).
+    template <template <class> class F, class Options>
+    void act(Options options);
+
+    // Notes a value outside [low, high] by name.
+    void warnOutside(const std::string& name, double value, double low, double high);
+};
+
+// Throws std::invalid_argument, naming the set, unless there are `arity` vertices a row, all of
+// them below `vertices`, and no vertex twice in a colour (where colours are given).
+void checkStencils(const std::string& set, std::span<const int> ids, int arity, std::size_t rows,
+                   std::span<const int> colors, std::size_t vertices);
+
+template <class Kind>
+void World::constrain(Rows<Kind> rows, SetOptions options) {
+    if (options.direct && Kind::arity != 2)
+        throw std::invalid_argument(options.name +
+                                    ": a direct solve is for constraints of two vertices");
+    const auto make = [rows, options]<class Real>(
+                          const World& world,
+                          KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
+        checkStencils(options.name, rows.ids, Kind::arity, rows.rows.size(), rows.colors,
+                      world.start.size());
+        if constexpr (Kind::arity == 2)
+            if (options.direct) return std::make_unique<DirectSet<Kind, Real>>(rows, world.pinned);
+        const int padding = static_cast<int>(world.start.size());
+        return std::make_unique<ConstraintSet<Kind, Real>>(rows, padding, kernels);
+    };
+    constrain(
+        {[make](const World& w, KernelChoice k) { return make.template operator()<float>(w, k); },
+         [make](const World& w, KernelChoice k) { return make.template operator()<double>(w, k); }},
+        std::move(options), requires { Kind::contact; });
+}
+
+template <template <class> class F, class Options>
+void World::act(Options options) {
+    const auto make = [options]<class Real>(const World& world,
+                                            KernelChoice kernels) -> std::unique_ptr<Force<Real>> {
+        if constexpr (std::is_constructible_v<F<Real>, const World&, const Options&, KernelChoice>)
+            return std::make_unique<F<Real>>(world, options, kernels);
+        else
+            return std::make_unique<F<Real>>(world, options);
+    };
+    forces.push_back(
+        {[make](const World& w, KernelChoice k) { return make.template operator()<float>(w, k); },
+         [make](const World& w, KernelChoice k) {
+             return make.template operator()<double>(w, k);
+         }});
+}
+
+}  // namespace plait

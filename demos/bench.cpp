@@ -1,0 +1,30 @@
+#include "bench/core.h"
+#include "bench/scene.h"
+#include "commands.h"
+#include "errors.h"
+#include "run_options.h"
+#include "words.h"
+
+namespace plait {
+namespace {
+
+int bench(const Arguments& arguments) {
+    const std::string what = arguments.operands.empty() ? "core" : arguments.operands[0];
+    std::vector<std::string> names{"core"};
+    for (const SceneEntry& entry : scenes()) names.push_back(entry.name);
+    if (parseChoice("bench", what, names) == 0) return benchCore();
+    return benchScene(what, requestedThreads(arguments));
+}
+
+}  // namespace
+
+Command benchCommand() {
+    return {.name = "bench",
+            .operands = {"[core|SCENE]"},
+            .meaning = "prints speeds: of a constraint, or of a scene from numbers to film",
+            .options = {threadsOption()},
+            .examples = {"bench core", "bench hanging-sheet"},
+            .run = bench};
+}
+
+}  // namespace plait

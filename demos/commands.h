@@ -1,0 +1,16 @@
+// Every command of plait, each in a file of its own.
+#pragma once
+
+#include "arguments.h"
+
+namespace plait {
+
+Command listCommand();
+Command describeCommand();
+Command runCommand();
+Command renderCommand();
+Command checkCommand();
+Command compareCommand();
+Command benchCommand();
+
+}  // namespace plait

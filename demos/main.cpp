@@ -1,0 +1,64 @@
+// plait COMMAND ...: finds the command, and turns what it throws into one line and an exit status.
+#include "commands.h"
+#include "errors.h"
+#include "interrupt.h"
+#include "solver_options.h"
+#include "words.h"
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+namespace {
+
+using namespace plait;
+
+int runCommandLine(const std::vector<std::string>& words) {
+    const std::vector<Command> commands{listCommand(),   describeCommand(), runCommand(),
+                                        renderCommand(), checkCommand(),    compareCommand(),
+                                        benchCommand()};
+    const auto isHelp = [](const std::string& word) { return word == "--help" || word == "-h"; };
+    if (words.empty() || isHelp(words[0]) || words[0] == "help") {
+        std::printf("%s", helpOf(commands).c_str());
+        return words.empty() ? exitUsage : exitOk;
+    }
+    std::vector<std::string> names;
+    for (const Command& command : commands) names.push_back(command.name);
+    const Command& command =
+        commands[static_cast<std::size_t>(parseChoice("command", words[0], names))];
+    const std::vector<std::string> rest(words.begin() + 1, words.end());
+    for (const std::string& word : rest)
+        if (isHelp(word)) {
+            std::printf("%s", helpOf(command).c_str());
+            return exitOk;
+        }
+    return command.run(parseArguments(command, rest));
+}
+
+int complain(Exit status, const char* message) {
+    std::fprintf(stderr, "plait: %s\n", message);
+    return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        catchInterrupts();
+        return runCommandLine({argv + 1, argv + argc});
+    } catch (const UsageError& error) {
+        return complain(exitUsage, error.what());
+    } catch (const SceneError& error) {
+        return complain(exitScene, error.what());
+    } catch (const Diverged& error) {
+        return complain(exitDiverged, error.what());
+    } catch (const FileError& error) {
+        return complain(exitFiles, error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+        return complain(exitFiles, error.what());
+    } catch (const Interrupted& error) {
+        return complain(exitInterrupted, error.what());
+    } catch (const std::exception& error) {
+        return complain(exitFailed, error.what());
+    }
+}

@@ -1,0 +1,56 @@
+// One run, from its first frame or where it was stopped, to everything that it leaves.
+#pragma once
+
+#include "metric_table.h"
+#include "pictures.h"
+#include "record.h"
+#include "run_folder.h"
+#include "simulation.h"
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plait {
+
+struct RunJobOptions {
+    int threads = 1;
+    bool quiet = false;
+    std::optional<PictureOptions> pictures;
+    std::vector<std::string> exports;
+};
+
+class RunJob {
+public:
+    // Both must live as long.
+    RunJob(const Run& run, const RunFolder& folder, const RunJobOptions& options);
+
+    // Throws what errors.h says, Diverged as well; what it leaves then is whole, and goes on with
+    // another job of the same folder.
+    void execute();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    void begin();
+    void simulate();
+    void keep(const RunFrame& frame);
+    void show(const RunFrame& frame);
+    void finishPictures(class Progress& progress);
+    void leave(const std::string& ending);
+    void timed(const std::string& stage, const std::function<void()>& body);
+
+    const Run& run_;
+    const RunFolder& folder_;
+    RunJobOptions options_;
+    Clock::time_point start_ = Clock::now();
+    std::unique_ptr<Simulation> simulation_;
+    std::optional<Pictures> pictures_;
+    std::vector<MetricRow> rows_;
+    int resumedAt_ = 0;
+    Stages stages_;
+};
+
+}  // namespace plait

@@ -1,0 +1,34 @@
+// A run that moves from frame to frame, in either precision.
+#pragma once
+
+#include "run_frame.h"
+#include "settings.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace plait {
+
+class Simulation {
+public:
+    virtual ~Simulation() = default;
+
+    // Advances by one frame. Throws Diverged and stays at the frame before.
+    virtual void advance() = 0;
+    // Where the run is: positions and velocities as the cache keeps them, metrics of exact ones.
+    virtual RunFrame frame() const = 0;
+    virtual std::uint64_t hash() const = 0;
+
+    // Everything that decides the future, as bytes of cache/checkpoint.
+    virtual std::string checkpoint() const = 0;
+    // Goes on from it. Throws FileError that begins with `name`.
+    virtual void restore(const std::string& checkpoint, const std::string& name) = 0;
+};
+
+// `run` must live as long. Throws SceneError where the world or its options are at fault.
+std::unique_ptr<Simulation> makeSimulation(const Run& run, int threads);
+
+// Bytes of a number of the cache.
+int numberSize(const Run& run);
+
+}  // namespace plait

@@ -1,0 +1,25 @@
+// A camera between the poses of a view.
+#pragma once
+
+#include "view.h"
+
+#include <glm/glm.hpp>
+
+#include <span>
+
+namespace plait {
+
+struct CameraPose {
+    glm::vec3 eye, target;  // m
+    float fieldOfView;      // vertical, radians
+
+    glm::vec3 forward() const { return glm::normalize(target - eye); }
+    glm::mat4 matrix(float aspect) const;  // world to clip
+};
+
+// The pose at time t (s): cubic Hermite through the poses, at rest in the first and the last, so
+// that two poses give a smooth step; before and after them it stands still. Times must ascend.
+// Throws std::invalid_argument if there is no pose.
+CameraPose poseAt(std::span<const Camera> cameras, double t);
+
+}  // namespace plait

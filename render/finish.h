@@ -1,0 +1,40 @@
+// What materials look like, in numbers for the shaders.
+#pragma once
+
+#include "view.h"
+
+#include <glm/glm.hpp>
+
+namespace plait {
+
+enum class Family { cloth, metal, coat };
+
+// `numbers` is what the family's shader calls `finish`.
+struct Finish {
+    Family family;
+    glm::vec4 numbers;
+    float wrap = 0.25f;  // of a cloth's diffuse light around its terminator
+    float gloss = 0;     // of a cloth's threads
+};
+
+inline Finish finishOf(Material material) {
+    switch (material) {
+        case Material::silk:
+            return {Family::cloth, {0.35f, 0.13f, 0.26f, 0.28f}, 0.25f, 1.1f};
+        case Material::cotton:
+            return {Family::cloth, {0.3f, 0.6f, 0.6f, 0.14f}, 0.3f, 0.15f};
+        case Material::brass:
+            return {Family::metal, {0, 0.2f, 0, 0}};
+        case Material::steel:
+            return {Family::metal, {0, 0.35f, 0, 0}};
+        case Material::wire:
+            return {Family::metal, {0, 0.4f, 0, 0}};
+        case Material::matte:
+            return {Family::coat, {0.02f, 0.7f, 0.1f, 0}};
+        case Material::rubber:
+            return {Family::coat, {0.04f, 0.3f, 0.35f, 0.6f}};
+    }
+    return {Family::coat, {}};
+}
+
+}  // namespace plait

@@ -1,0 +1,23 @@
+// The last passes: bloom, exposure, vignette, Khronos PBR Neutral, sRGB, dither, and reading back.
+#pragma once
+
+#include "gpu.h"
+#include "picture.h"
+
+namespace plait {
+
+class Grade {
+public:
+    Grade() = default;
+    Grade(int width, int height);
+
+    // `scene` is linear light of the same size.
+    Picture apply(const Texture& scene, const VertexArray& empty);
+
+private:
+    Program bright_, bloom_, grade_;
+    Target small_, across_, result_;
+    std::vector<std::uint8_t> pixels_;
+};
+
+}  // namespace plait

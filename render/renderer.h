@@ -1,0 +1,80 @@
+// A scene's state to a picture.
+#pragma once
+
+#include "camera.h"
+#include "context.h"
+#include "gpu.h"
+#include "grade.h"
+#include "overlay.h"
+#include "picture.h"
+#include "scene.h"
+#include "shadow.h"
+#include "skin.h"
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace plait {
+
+struct RenderOptions {
+    int width = 1280, height = 720;
+    int samples = 4;  // a pixel; software Mesa knows 1 and 4
+    GlChoice gl = GlChoice::automatic;
+};
+
+// Owns its context. Any thread may draw, one at a time. The same positions, time and overlay give
+// the same bits, whatever was drawn before and however many threads Mesa uses.
+class Renderer {
+public:
+    // Throws std::invalid_argument for a size below 16 by 16 and for a view without camera or with
+    // looks that do not fit the world; std::runtime_error where there is no OpenGL to draw with.
+    explicit Renderer(const Scene& scene, const RenderOptions& options = {});
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+    ~Renderer();
+
+    // Positions of all vertices of the world (m) at time t (s); the camera is where the view puts
+    // it then, or `chosen`. The overlay has a value for each vertex.
+    Picture draw(std::span<const Vec<double>> positions, double t, const Overlay* overlay = nullptr,
+                 const CameraPose* chosen = nullptr);
+
+    const Context& context() const { return context_; }
+
+private:
+    struct GpuMesh {
+        VertexArray array;
+        Buffer vertices, triangles;
+        int corners = 0;
+        Texture emblem;
+        float period = 1;
+    };
+
+    void addSkin(Skin skin);
+    void upload(std::size_t i);
+    void findSubject();
+    void drawSkins(const glm::mat4& camera, const CameraPose& pose, bool overlay);
+    const Program& surfaceProgram(std::size_t i, const CameraPose& pose, bool overlay);
+    void drawCasters(const glm::mat4& matrix);
+    void drawBackdrop(const glm::mat4& camera, const CameraPose& pose);
+    void setStage(const Program& program, const CameraPose& pose) const;
+
+    View view_;
+    RenderOptions options_;
+    Context context_;
+    std::vector<Skin> skins_;  // looks first, then props
+    std::vector<GpuMesh> meshes_;
+    std::map<std::string, Program> surfaces_;  // by #defines and family, made when first needed
+    Program depth_, backdrop_;
+    Texture weave_, plain_;
+    ShadowMap keyShadow_, skyShadow_;
+    Target canvas_, resolved_;
+    Grade grade_;
+    VertexArray empty_;
+    glm::vec3 key_{0}, fill_{0}, rim_{0};
+    glm::vec3 subject_{0};
+    float radius_ = 1;
+};
+
+}  // namespace plait

@@ -1,0 +1,229 @@
+#include "skin.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace plait {
+namespace {
+
+glm::vec3 toGlm(const Vec<double>& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+glm::vec3 toGlm(const std::array<double, 3>& v) { return toGlm(Vec<double>{v[0], v[1], v[2]}); }
+
+glm::vec3 unit(const glm::vec3& v) {
+    const float l = glm::length(v);
+    return l > 1e-20f ? v / l : glm::vec3{0, 1, 0};
+}
+
+bool inside(std::span<const int> vertices, Range range) {
+    return std::ranges::all_of(vertices, [&](int v) { return range.first <= v && v < range.last; });
+}
+
+// The triangles that are seen, vertices counted from the start of the range: those between two
+// tetrahedra are not, those of one look away from it.
+std::vector<std::array<int, 3>> outerTriangles(const SimplicialComplex& complex,
+                                               std::span<const Vec<double>> rest, Range range) {
+    const Csr parents = complex.parents(2);
+    std::vector<std::array<int, 3>> triangles;
+    for (int i = 0; i < complex.count(2); ++i) {
+        if (!inside(complex.vertices(2, i), range) || parents[i].size() > 1) continue;
+        auto t = complex.triangle(i);
+        if (parents[i].size() == 1) {
+            Vec<double> center{0, 0, 0};
+            for (const int v : complex.vertices(3, parents[i][0])) center += 0.25 * rest[v];
+            const auto normal = cross(rest[t[1]] - rest[t[0]], rest[t[2]] - rest[t[0]]);
+            if (dot(normal, center - rest[t[0]]) > 0) std::swap(t[1], t[2]);
+        }
+        for (int& v : t) v -= range.first;
+        triangles.push_back(t);
+    }
+    return triangles;
+}
+
+}  // namespace
+
+Skin::Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, const Look& look)
+    : range_(look.object),
+      material_(look.material),
+      color_(toGlm(look.color)),
+      printed_(look.print == "plait"),
+      radius_(static_cast<float>(look.radius)) {
+    if (range_.first < 0 || range_.last > complex.count(0) || range_.size() < 1)
+        throw std::invalid_argument("look: its object is not a range of the world's vertices");
+    if (!look.uv.empty() && static_cast<int>(look.uv.size()) != range_.size())
+        throw std::invalid_argument("look: needs as many uv as the object has vertices");
+    addSurface(complex, rest, look);
+
+    const Csr triangles = complex.parents(1), edgesAt = complex.parents(0);
+    std::vector<std::array<int, 2>> edges;
+    std::vector<char> covered(static_cast<std::size_t>(range_.size()));
+    for (int i = 0; i < complex.count(1); ++i) {
+        const auto ends = complex.vertices(1, i);
+        if (!inside(ends, range_)) continue;
+        for (const int v : ends) covered[v - range_.first] = 1;
+        if (triangles[i].empty()) edges.push_back({ends[0] - range_.first, ends[1] - range_.first});
+    }
+    curves_ = polylines(edges, range_.size());
+    for (int i = 0; i < range_.size(); ++i)
+        if (!covered[i]) balls_.push_back(i);
+    if (!balls_.empty()) ball_ = sphere({.subdivisions = 2, .radius = look.radius});
+    update(rest);
+}
+
+Skin::Skin(const Prop& prop) : material_(prop.material), color_(toGlm(prop.color)) {
+    const auto& complex = prop.shape.complex;
+    const Range all{0, complex.count(0)};
+    const auto& x = prop.shape.positions;
+    const auto triangles = outerTriangles(complex, x, all);
+    std::vector<glm::vec3> normals;  // as long as twice the area
+    std::vector<std::vector<int>> around(x.size());
+    for (int i = 0; i < static_cast<int>(triangles.size()); ++i) {
+        const auto& [a, b, c] = triangles[i];
+        normals.push_back(toGlm(cross(x[b] - x[a], x[c] - x[a])));
+        for (const int v : triangles[i]) around[v].push_back(i);
+    }
+    for (int i = 0; i < static_cast<int>(triangles.size()); ++i) {
+        const int first = static_cast<int>(vertices_.size());
+        triangles_.push_back({first, first + 1, first + 2});
+        for (const int v : triangles[i]) {
+            glm::vec3 normal{0};
+            for (const int other : around[v])
+                if (glm::dot(unit(normals[other]), unit(normals[i])) > 0.766f)
+                    normal += normals[other];
+            vertices_.push_back(
+                {.position = toGlm(x[v]), .normal = unit(normal), .tangent = {0, 1, 0}});
+        }
+    }
+}
+
+void Skin::addSurface(const SimplicialComplex& complex, std::span<const Vec<double>> rest,
+                      const Look& look) {
+    triangles_ = outerTriangles(complex, rest, range_);
+    if (triangles_.empty()) return;
+    const auto coarse = triangles_;
+    surfaceVertices_ = range_.size();
+    if (complex.count(3) == 0) {
+        subdivision_ = Subdivision(coarse, rest.subspan(range_.first, range_.size()));
+        surfaceVertices_ = subdivision_.size();
+        triangles_ = subdivision_.triangles();
+    }
+    surfaceTriangles_ = static_cast<int>(triangles_.size());
+    layCloth(rest, coarse, look);
+}
+
+// The uv of a look come in any unit: here they become metres of the rest shape.
+void Skin::layCloth(std::span<const Vec<double>> rest,
+                    std::span<const std::array<int, 3>> triangles, const Look& look) {
+    std::vector<glm::vec2> uv(static_cast<std::size_t>(range_.size()));
+    for (int i = 0; i < range_.size(); ++i) {
+        const auto& x = rest[range_.first + i];
+        uv[i] =
+            look.uv.empty() ? glm::vec2(x.x, x.y + x.z) : glm::vec2(look.uv[i][0], look.uv[i][1]);
+    }
+    // Least squares of |dx|^2 = (a du)^2 + (b dv)^2 would couple the two; edges along one axis only
+    // are enough to scale by.
+    glm::dvec2 length{0}, span{1e-12};
+    for (const auto& t : triangles)
+        for (int k = 0; k < 3; ++k) {
+            const int a = t[k], b = t[(k + 1) % 3];
+            const glm::vec2 d = glm::abs(uv[a] - uv[b]);
+            const int axis = d.x > d.y ? 0 : 1;
+            if (d[1 - axis] > 0.1f * d[axis]) continue;
+            length[axis] += plait::length(rest[range_.first + a] - rest[range_.first + b]);
+            span[axis] += d[axis];
+        }
+    const glm::vec2 scale(length.x > 0 ? length.x / span.x : 1,
+                          length.y > 0 ? length.y / span.y : 1);
+    glm::vec2 low{1e30f}, high{-1e30f};
+    for (auto& c : uv) {
+        c *= scale;
+        low = glm::min(low, c);
+        high = glm::max(high, c);
+    }
+    for (auto& c : uv) c -= low;
+    size_ = high - low;
+    uv_ = uv;
+    if (subdivision_.size() > 0) subdivision_.apply<glm::vec2>(uv, uv_);
+}
+
+void Skin::update(std::span<const Vec<double>> positions, std::span<const glm::vec3> tints) {
+    if (range_.size() == 0) return;  // a prop
+    if (static_cast<int>(positions.size()) < range_.last ||
+        (!tints.empty() && static_cast<int>(tints.size()) < range_.last))
+        throw std::invalid_argument("draw: positions and tints must be those of the whole world");
+    coarse_.resize(static_cast<std::size_t>(range_.size()));
+    coarseTints_.assign(coarse_.size(), glm::vec3(0));
+    for (int i = 0; i < range_.size(); ++i) {
+        coarse_[i] = toGlm(positions[range_.first + i]);
+        if (!tints.empty()) coarseTints_[i] = tints[range_.first + i];
+    }
+    vertices_.resize(static_cast<std::size_t>(surfaceVertices_));
+    triangles_.resize(static_cast<std::size_t>(surfaceTriangles_));
+    if (surfaceVertices_ > 0) updateSurface();
+    updateCurves();
+}
+
+void Skin::updateSurface() {
+    const bool refined = subdivision_.size() > 0;
+    if (refined) {
+        subdivision_.apply<glm::vec3>(coarse_, fine_);
+        subdivision_.apply<glm::vec3>(coarseTints_, fineTints_);
+    }
+    const auto& x = refined ? fine_ : coarse_;
+    const auto& tints = refined ? fineTints_ : coarseTints_;
+    for (int i = 0; i < surfaceVertices_; ++i)
+        vertices_[i] = {.position = x[i], .uv = uv_[i], .tint = tints[i]};
+    for (const auto& [a, b, c] : triangles_) {
+        const glm::vec3 p = x[b] - x[a], q = x[c] - x[a];
+        const glm::vec2 s = uv_[b] - uv_[a], t = uv_[c] - uv_[a];
+        const glm::vec3 normal = glm::cross(p, q);
+        const glm::vec3 along = (p * t.y - q * s.y) * glm::sign(s.x * t.y - t.x * s.y);
+        for (const int v : {a, b, c}) {
+            vertices_[v].normal += normal;
+            vertices_[v].tangent += along;
+        }
+    }
+    for (auto& v : vertices_) {
+        v.normal = unit(v.normal);
+        v.tangent = unit(v.tangent - v.normal * glm::dot(v.normal, v.tangent));
+    }
+    // Bend of the surface towards the normal: dn.dx / dx.dx, averaged over the edges at a vertex.
+    for (const auto& t : triangles_)
+        for (int k = 0; k < 3; ++k) {
+            MeshVertex &a = vertices_[t[k]], &b = vertices_[t[(k + 1) % 3]];
+            const glm::vec3 d = b.position - a.position;
+            const float bend = -glm::dot(b.normal - a.normal, d) / (glm::dot(d, d) + 1e-12f) / 6;
+            a.cavity += bend;
+            b.cavity += bend;
+        }
+}
+
+void Skin::updateCurves() {
+    std::vector<glm::vec3> points;
+    std::vector<glm::vec3> tints;
+    for (const Polyline& curve : curves_) {
+        points.clear();
+        tints.clear();
+        for (const int v : curve.vertices) {
+            points.push_back(coarse_[v]);
+            tints.push_back(coarseTints_[v]);
+        }
+        appendTube(points, tints, curve.closed, radius_, vertices_, triangles_);
+    }
+    for (const int v : balls_) {
+        const int first = static_cast<int>(vertices_.size());
+        for (const auto& p : ball_.positions)
+            vertices_.push_back({.position = coarse_[v] + toGlm(p),
+                                 .normal = unit(toGlm(p)),
+                                 .tangent = {0, 1, 0},
+                                 .tint = coarseTints_[v]});
+        for (int i = 0; i < ball_.complex.count(2); ++i) {
+            const auto [a, b, c] = ball_.complex.triangle(i);
+            triangles_.push_back({first + a, first + b, first + c});
+        }
+    }
+}
+
+}  // namespace plait

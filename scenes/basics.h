@@ -1,0 +1,17 @@
+// Small scenes with one lesson each, for teaching, tests and charts.
+#pragma once
+
+#include "scene.h"
+
+namespace plait {
+
+Scene band(const Knobs&);
+Scene hangingChain(const Knobs&);
+Scene hangingSheet(const Knobs&);
+Scene pendulum(const Knobs&);
+Scene sampler(const Knobs&);
+Scene softPins(const Knobs&);
+Scene stripInWind(const Knobs&);
+Scene windGauge(const Knobs&);
+
+}  // namespace plait

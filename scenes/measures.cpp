@@ -1,0 +1,72 @@
+#include "measures.h"
+
+#include "measure/energy.h"
+#include "measure/geometry.h"
+#include "measure/strain.h"
+
+#include <memory>
+
+namespace plait {
+namespace {
+
+Metric metricOf(const std::string& name, const std::string& unit, Band band,
+                std::function<double(const Snapshot&)> measure) {
+    return {name, unit, std::move(measure), band.low, band.high, band.from, false};
+}
+
+// Strain of the edges of a range, ready to be measured.
+std::function<StrainSummary(const Snapshot&)> strainOf(const World& world, Range range) {
+    std::vector<std::array<int, 2>> edges;
+    std::vector<double> rest;
+    for (int i = 0; i < world.complex.count(1); ++i) {
+        const auto edge = world.complex.edge(i);
+        const auto [a, b] = edge;
+        if (a < range.first || b < range.first || a >= range.last || b >= range.last) continue;
+        edges.push_back(edge);
+        rest.push_back(length(world.rest[static_cast<std::size_t>(b)] -
+                              world.rest[static_cast<std::size_t>(a)]));
+    }
+    return [=](const Snapshot& at) { return summarizeStrain(at.positions, edges, rest); };
+}
+
+}  // namespace
+
+Metric greatestStrain(const World& world, Range range, Band band) {
+    const auto strain = strainOf(world, range);
+    Metric metric =
+        metricOf("strain", "%", band, [=](const Snapshot& at) { return 100 * strain(at).maximum; });
+    metric.caption = true;
+    return metric;
+}
+
+Metric commonStrain(const World& world, Range range, Band band) {
+    const auto strain = strainOf(world, range);
+    return metricOf("strain99", "%", band,
+                    [=](const Snapshot& at) { return 100 * strain(at).percentile99; });
+}
+
+Metric energyGain(const World& world, const Vec<double>& g, double scale, Band band) {
+    std::vector<double> mass = world.mass;
+    for (std::size_t i = 0; i < mass.size(); ++i)
+        if (world.pinned[i]) mass[i] = 0;
+    const auto energy = [=](const std::vector<Vec<double>>& x, const std::vector<Vec<double>>& v) {
+        return kineticEnergy(mass, v) + gravitationalEnergy(mass, x, g);
+    };
+    const double start = energy(world.start, world.velocity);
+    return metricOf("energy", "%", band, [=](const Snapshot& at) {
+        return 100 * (energy(at.positions, at.velocities) - start) / scale;
+    });
+}
+
+Metric height(const std::string& name, int vertex, Band band) {
+    return metricOf(name, "m", band, [=](const Snapshot& at) {
+        return at.positions[static_cast<std::size_t>(vertex)].y;
+    });
+}
+
+Metric lowestHeight(Band band) {
+    return metricOf("lowest", "m", band,
+                    [](const Snapshot& at) { return lowestPoint(at.positions, {0, 1, 0}).y; });
+}
+
+}  // namespace plait

@@ -1,0 +1,30 @@
+// Metrics that many scenes share, measured by core/measure alone: independent of the solver.
+#pragma once
+
+#include "metric.h"
+#include "world.h"
+
+#include <string>
+#include <vector>
+
+namespace plait {
+
+// The band of a metric.
+struct Band {
+    double low, high;
+    double from = 0;  // s
+};
+
+// In %: the greatest extension of any edge of `range`; and what 99 % of them do not exceed, either
+// way. The world is read now and not kept, here and below.
+Metric greatestStrain(const World& world, Range range, Band band);
+Metric commonStrain(const World& world, Range range, Band band);
+
+// In % of `scale` (J): kinetic energy and that of gravity g, less what the world starts with.
+Metric energyGain(const World& world, const Vec<double>& g, double scale, Band band);
+
+// In m.
+Metric height(const std::string& name, int vertex, Band band);
+Metric lowestHeight(Band band);
+
+}  // namespace plait

@@ -1,0 +1,112 @@
+#include "scene.h"
+
+#include "basics.h"
+
+#include <stdexcept>
+
+namespace plait {
+
+std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a table
+    static const std::vector<SceneEntry> all = {
+        {.name = "band",
+         .title = "Band",
+         .lesson = "Interleaving spares the ends of a band stretched over two pegs",
+         .ingredients = {"stretch", "contact"},
+         .omissions = {"friction: the band slides, so that only the schedule decides its strain"},
+         .build = band},
+        {.name = "chain",
+         .title = "Chain",
+         .lesson = "A chain is solved at once, not link by link",
+         .ingredients = {"stretch", "gravity"},
+         .omissions = {"air, bending: the reference has neither"},
+         .build = hangingChain},
+        {.name = "hanging-sheet",
+         .title = "Hanging sheet",
+         .lesson = "An inextensible sheet on two pins is the hardest easy scene",
+         .ingredients = {"stretch", "gravity"},
+         .omissions = {"air, bending, contact: every stretch shown is solver error"},
+         .knobs = {{.name = "pins",
+                    .meaning = "what holds it",
+                    .choices = {"corners", "edge"},
+                    .text = "corners"}},
+         .build = hangingSheet},
+        {.name = "pendulum",
+         .title = "Pendulum",
+         .lesson = "First order loses energy, second order hardly any",
+         .ingredients = {"stretch", "gravity"},
+         .omissions = {"air: the exact period is known without it"},
+         .knobs = {{.name = "length",
+                    .meaning = "of the link",
+                    .unit = "m",
+                    .value = 1,
+                    .low = 0.1,
+                    .high = 10}},
+         .build = pendulum},
+        {.name = "sampler",
+         .title = "Sampler",
+         .lesson = "Every kind of constraint and force in one world",
+         .ingredients = {"stretch", "shear", "angle", "bend", "attach", "contact", "gravity", "air",
+                         "field"},
+         .omissions = {"nothing: it is a scene for tests"},
+         .build = sampler},
+        {.name = "soft-pins",
+         .title = "Soft pins",
+         .lesson = "A soft pin gives way by load over stiffness",
+         .ingredients = {"attach", "gravity"},
+         .omissions = {"links between the points: one pin, one load"},
+         .build = softPins},
+        {.name = "strip-in-wind",
+         .title = "Strip in wind",
+         .lesson = "A strip hangs straight in the wind, at an angle known exactly",
+         .ingredients = {"stretch", "gravity", "air"},
+         .omissions = {"bending: the balance is local, so a straight strip has none"},
+         .knobs = {{.name = "wind",
+                    .meaning = "its speed; at 4 the strip hangs at 45 degrees",
+                    .unit = "m/s",
+                    .value = 4,
+                    .low = 0,
+                    .high = 6}},
+         .build = stripInWind},
+        {.name = "wind-gauge",
+         .title = "Wind gauge",
+         .lesson = "One polygon tells how fast the wind is",
+         .ingredients = {"stretch", "air"},
+         .omissions = {"gravity: the gauge is to drift with the air, not to fall"},
+         .knobs = {{.name = "drag",
+                    .meaning = "1/drag is about the time it takes to drift with the air",
+                    .unit = "m/s",
+                    .value = 1,
+                    .low = 0,
+                    .high = 100},
+                   {.name = "lift",
+                    .meaning = "explicit and of the square of speed: it fails when large (M 5.3)",
+                    .value = 0,
+                    .low = 0,
+                    .high = 1e6}},
+         .build = windGauge},
+    };
+    return all;
+}
+
+const SceneEntry& findScene(const std::string& name) {
+    for (const SceneEntry& entry : scenes())
+        if (entry.name == name) return entry;
+    throw std::invalid_argument("no scene named " + name);
+}
+
+Scene build(const SceneEntry& entry, Quality quality) {
+    return entry.build(Knobs::defaults(entry.knobs, quality));
+}
+
+Knobs Knobs::defaults(const std::vector<Knob>& knobs, Quality quality) {
+    Knobs values{.quality = quality, .numbers = {}, .texts = {}};
+    for (const Knob& knob : knobs) {
+        if (knob.isNumber())
+            values.numbers[knob.name] = knob.value;
+        else
+            values.texts[knob.name] = knob.text;
+    }
+    return values;
+}
+
+}  // namespace plait

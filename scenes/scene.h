@@ -1,0 +1,46 @@
+// A scene: a world, how it is best taken through time, how it should be looked at, what is
+// measured, and the one thing that it teaches. Plain numbers and no pixels; this folder knows the
+// core and nothing else.
+#pragma once
+
+#include "knob.h"
+#include "metric.h"
+#include "solver_options.h"
+#include "view.h"
+#include "world.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace plait {
+
+struct Scene {
+    World world;
+    SolverOptions options;
+    double seconds = 10;
+    View view;
+    std::vector<Metric> metrics;
+};
+
+struct SceneEntry {
+    std::string name;
+    std::string title;   // of the caption strip
+    std::string lesson;  // one sentence
+    std::vector<std::string> ingredients;
+    std::vector<std::string> omissions;  // what it leaves out, and why
+    bool demo = false;                   // rendered by demos/run without a name
+    std::vector<Knob> knobs = {};
+    Scene (*build)(const Knobs&);
+};
+
+// Every scene there is, by name.
+std::span<const SceneEntry> scenes();
+
+// Throws std::invalid_argument for a name that is not there.
+const SceneEntry& findScene(const std::string& name);
+
+// The scene with its defaults.
+Scene build(const SceneEntry& entry, Quality quality = Quality::preview);
+
+}  // namespace plait
