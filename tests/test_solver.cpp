@@ -1,10 +1,7 @@
-// The solver as a machine: no allocation, failures with a name, bad input refused, work counted.
+// The solver as a machine: failures with a name, bad input refused, work counted.
 #include "solver.h"
 
-#include <atomic>
-#include <cstdlib>
 #include <limits>
-#include <new>
 
 #include "catch.h"
 #include "report.h"
@@ -17,52 +14,6 @@ using plait::test::loosePoints;
 using plait::test::plumbLine;
 
 namespace {
-
-std::atomic<bool> counting{false};
-std::atomic<long> allocations{0};
-
-void* allocate(std::size_t size, std::size_t alignment) {
-    if (counting) ++allocations;
-    const std::size_t whole = (size + alignment - 1) / alignment * alignment;
-    void* memory = std::aligned_alloc(alignment, whole ? whole : alignment);
-    if (!memory) throw std::bad_alloc();
-    return memory;
-}
-
-// Out of sight: gcc takes free() for a mistake where it sees what delete has become.
-[[gnu::noinline]] void release(void* memory) { std::free(memory); }
-
-}  // namespace
-
-void* operator new(std::size_t size) { return allocate(size, alignof(std::max_align_t)); }
-void* operator new(std::size_t size, std::align_val_t alignment) {
-    return allocate(size, static_cast<std::size_t>(alignment));
-}
-// The address sanitizer has its own of these, which would not go with what delete is here.
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return operator new(size); }
-void* operator new(std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept {
-    return operator new(size, alignment);
-}
-void operator delete(void* memory) noexcept { release(memory); }
-void operator delete(void* memory, std::size_t) noexcept { release(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { release(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
-
-namespace {
-
-template <class Real>
-long allocationsInFrames(const Scene& scene, int threads) {
-    SolverOptions options = scene.options;
-    options.threads = threads;
-    Solver<Real> solver(scene.world, options);
-    solver.frame();
-    allocations = 0;
-    counting = true;
-    solver.frame();
-    solver.frame();
-    counting = false;
-    return allocations;
-}
 
 template <class Real>
 struct PoisonWind : Force<Real> {
@@ -113,24 +64,6 @@ std::string refusal(const World& world, const SolverOptions& options) {
 }
 
 }  // namespace
-
-TEST_CASE("solver: a frame allocates nothing after the first", "[solver]") {
-    for (const SceneEntry& entry : scenes()) {
-        const Scene scene = build(entry, Quality::draft);
-        for (const int threads : {1, 2}) {
-            INFO(entry.name << ", " << threads << " threads");
-            const long single = allocationsInFrames<float>(scene, threads);
-            const long full = allocationsInFrames<double>(scene, threads);
-            REQUIRE(single == 0);
-            REQUIRE(full == 0);
-        }
-    }
-    counting = true;
-    allocations = 0;
-    delete new int(1);
-    counting = false;
-    REQUIRE(allocations == 1);  // the counter counts
-}
 
 TEST_CASE("solver: what makes a number that is not finite is named", "[solver]") {
     const SolverOptions options{.schedule = {.substeps = 10, .iterations = 1}};
