@@ -1,5 +1,6 @@
 #include "forces/air_kernels.h"
 #include "kernels.h"
+#include "strand_kernels.h"
 
 #include <stdexcept>
 #include <string>
@@ -18,6 +19,12 @@ const AirTable<float>* floatAir_v4(int lanes);
 const AirTable<double>* doubleAir_v2();
 const AirTable<double>* doubleAir_v3();
 const AirTable<double>* doubleAir_v4();
+const StrandTable<float>* floatStrands_v2(int lanes);
+const StrandTable<float>* floatStrands_v3(int lanes);
+const StrandTable<float>* floatStrands_v4(int lanes);
+const StrandTable<double>* doubleStrands_v2();
+const StrandTable<double>* doubleStrands_v3();
+const StrandTable<double>* doubleStrands_v4();
 
 namespace {
 
@@ -79,6 +86,20 @@ const AirTable<double>& airKernels<double>(KernelChoice choice) {
     if (!available(choice)) refuse(choice);
     if (choice.isa == Isa::v2) return *doubleAir_v2();
     return choice.isa == Isa::v3 ? *doubleAir_v3() : *doubleAir_v4();
+}
+
+template <>
+const StrandTable<float>& strandKernels<float>(KernelChoice choice) {
+    if (!available(choice)) refuse(choice);
+    if (choice.isa == Isa::v2) return *floatStrands_v2(choice.lanes);
+    return choice.isa == Isa::v3 ? *floatStrands_v3(choice.lanes) : *floatStrands_v4(choice.lanes);
+}
+
+template <>
+const StrandTable<double>& strandKernels<double>(KernelChoice choice) {
+    if (!available(choice)) refuse(choice);
+    if (choice.isa == Isa::v2) return *doubleStrands_v2();
+    return choice.isa == Isa::v3 ? *doubleStrands_v3() : *doubleStrands_v4();
 }
 
 }  // namespace plait

@@ -1,6 +1,7 @@
 // The one loop: gather - evaluate - project - scatter, for every kind, number type and pass.
 #pragma once
 
+#include "constraints/constants.h"
 #include "kernels.h"
 #include "lanes.h"
 

@@ -1,5 +1,7 @@
 #include "stencils.h"
 
+#include "ways.h"
+
 #include <algorithm>
 
 namespace plait {
@@ -74,6 +76,22 @@ std::vector<int> pointStencils(Range range) {
     std::vector<int> ids;
     for (int v = range.first; v < range.last; ++v) ids.push_back(v);
     return ids;
+}
+
+Rows<Tether> tetherRows(const SimplicialComplex& complex, Range range,
+                        std::span<const Vec<double>> rest, std::span<const int> anchors) {
+    std::vector<Link> links;
+    const std::vector<int> edges = edgeStencils(complex, range);
+    for (std::size_t e = 0; e < edges.size(); e += 2)
+        links.push_back({edges[e], edges[e + 1], length(rest[edges[e + 1]] - rest[edges[e]])});
+    Rows<Tether> set;
+    Ways(complex.count(0), links).from(anchors, [&](int v, double distance, int anchor) {
+        if (v == anchor) return true;
+        set.ids.push_back(v);
+        set.rows.push_back({rest[anchor], distance});
+        return true;
+    });
+    return set;
 }
 
 Rows<Bend> bendRows(const SimplicialComplex& complex, Range range,

@@ -19,6 +19,12 @@ std::vector<int> jointStencils(const SimplicialComplex& complex, Range range);
 std::vector<int> hingeStencils(const SimplicialComplex& complex, Range range);  // 4, for Bend
 std::vector<int> pointStencils(Range range);                                    // 1, for contacts
 
+// The furthest that any way along the edges of `range` lets each vertex be from the nearest of
+// `anchors`: what an inextensible sheet holds anyway, said at once. Vertices that no way leads to
+// get no row, nor do the anchors. Distances are those of `rest`.
+Rows<Tether> tetherRows(const SimplicialComplex& complex, Range range,
+                        std::span<const Vec<double>> rest, std::span<const int> anchors);
+
 // Bending of a sheet of flexural rigidity D (N m): energy D |e|^2 / (2 (A1 + A2)) (theta - rest)^2
 // a hinge, A1 and A2 its triangles' areas (discrete shells, Grinspun et al. 2003, without their
 // factor 3: so scaled, a grid bent to a cylinder along its edges has the plate's energy D / 2 R^2

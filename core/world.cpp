@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -74,6 +75,39 @@ std::vector<int> World::select(Range range,
     for (int v = range.first; v < range.last; ++v)
         if (where(start[static_cast<std::size_t>(v)])) chosen.push_back(v);
     return chosen;
+}
+
+void World::strand(const Rows<Stretch>& set, SetOptions options) {
+    const auto make = [set, name = options.name]<class Real>(
+                          const World& world,
+                          KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
+        checkStencils(name, set.ids, 2, set.rows.size(), set.colors, world.start.size());
+        return std::make_unique<StrandSet<Real>>(set, world.rest, kernels);
+    };
+    constrain(
+        {[make](const World& w, KernelChoice k) { return make.template operator()<float>(w, k); },
+         [make](const World& w, KernelChoice k) { return make.template operator()<double>(w, k); }},
+        std::move(options));
+}
+
+void World::aggregate(const Rows<Stretch>& set, SetOptions options, int fewest) {
+    const auto make = [set, fewest, name = options.name]<class Real>(
+                          const World& world,
+                          KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
+        checkStencils(name, set.ids, 2, set.rows.size(), set.colors, world.start.size());
+        std::vector<double> masses = world.mass;
+        for (std::size_t i = 0; i < masses.size(); ++i)
+            if (world.pinned[i]) masses[i] = std::numeric_limits<double>::infinity();
+        std::vector<Link> links;
+        for (std::size_t i = 0; i < set.rows.size(); ++i)
+            links.push_back({set.ids[2 * i], set.ids[2 * i + 1], set.rows[i].rest});
+        return std::make_unique<AggregateSet<Real>>(
+            plait::aggregate(std::move(masses), world.rest, std::move(links), fewest), kernels);
+    };
+    constrain(
+        {[make](const World& w, KernelChoice k) { return make.template operator()<float>(w, k); },
+         [make](const World& w, KernelChoice k) { return make.template operator()<double>(w, k); }},
+        std::move(options));
 }
 
 void World::constrain(Recipe<Constraint> recipe, SetOptions options, bool contact) {

@@ -2,12 +2,14 @@
 // Solvers of either precision are made from it, any number of them.
 #pragma once
 
+#include "aggregate_set.h"
 #include "constraint_set.h"
 #include "direct_set.h"
 #include "forces/force.h"
 #include "rows.h"
 #include "schedule.h"
 #include "shapes.h"
+#include "strand_set.h"
 
 #include <functional>
 #include <memory>
@@ -88,6 +90,12 @@ struct World {
     void constrain(Rows<Kind> rows, SetOptions options);
     // A set of the user's own; `make` is called once for each solver.
     void constrain(Recipe<Constraint> recipe, SetOptions options, bool contact = false);
+
+    // These links strung to strands, each solved at once, in lanes (strand_set.h).
+    void strand(const Rows<Stretch>& links, SetOptions options);
+    // Coarse levels of these links (aggregate_set.h), down to `fewest` aggregates that move. Links
+    // count as rigid, whatever their compliance.
+    void aggregate(const Rows<Stretch>& links, SetOptions options, int fewest = 16);
 
     // F<Real> is a Force<Real> made from (World, options), or, where it has kernels of its own,
     // from (World, options, KernelChoice).

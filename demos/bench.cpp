@@ -1,3 +1,4 @@
+#include "bench/air.h"
 #include "bench/core.h"
 #include "bench/scene.h"
 #include "commands.h"
@@ -10,21 +11,28 @@ namespace {
 
 int bench(const Arguments& arguments) {
     const std::string what = arguments.operands.empty() ? "core" : arguments.operands[0];
-    std::vector<std::string> names{"core"};
+    std::vector<std::string> names{"core", "air"};
     for (const SceneEntry& entry : scenes()) names.push_back(entry.name);
-    if (parseChoice("bench", what, names) == 0) return benchCore();
-    return benchScene(what, requestedThreads(arguments));
+    switch (parseChoice("bench", what, names)) {
+        case 0:
+            return benchCore();
+        case 1:
+            return benchAir();
+        default:
+            return benchScene(what, requestedThreads(arguments));
+    }
 }
 
 }  // namespace
 
 Command benchCommand() {
-    return {.name = "bench",
-            .operands = {"[core|SCENE]"},
-            .meaning = "prints speeds: of a constraint, or of a scene from numbers to film",
-            .options = {threadsOption()},
-            .examples = {"bench core", "bench hanging-sheet"},
-            .run = bench};
+    return {
+        .name = "bench",
+        .operands = {"[core|air|SCENE]"},
+        .meaning = "prints speeds: of a constraint, of the air, or of a scene from numbers to film",
+        .options = {threadsOption()},
+        .examples = {"bench core", "bench hanging-sheet"},
+        .run = bench};
 }
 
 }  // namespace plait

@@ -83,6 +83,15 @@ void RunJob::finishPictures(Progress& progress) {
     progress.show(run_.frames());
 }
 
+Stages RunJob::stages() const {
+    Stages all = stages_;
+    if (pictures_) {
+        const Stages drawing = pictures_->stages();
+        all.insert(all.end(), drawing.begin(), drawing.end());
+    }
+    return all;
+}
+
 void RunJob::leave(const std::string& ending) {
     writeWhole(folder_.metricsPath(), csvOf(run_.scene.metrics, rows_));
     Record record{.run = run_,
@@ -91,13 +100,11 @@ void RunJob::leave(const std::string& ending) {
                   .resumedAt = resumedAt_,
                   .rows = rows_,
                   .hash = simulation_->hash(),
-                  .stages = stages_,
+                  .stages = stages(),
                   .pictures = options_.pictures,
                   .glLibrary = "",
                   .glRenderer = ""};
     if (pictures_) {
-        const Stages stages = pictures_->stages();
-        record.stages.insert(record.stages.end(), stages.begin(), stages.end());
         record.glLibrary = pictures_->glLibrary();
         record.glRenderer = pictures_->glRenderer();
     }

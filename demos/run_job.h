@@ -30,6 +30,8 @@ public:
     // Throws what errors.h says, Diverged as well; what it leaves then is whole, and goes on with
     // another job of the same folder.
     void execute();
+    // What the stages took so far, those of the pictures too.
+    Stages stages() const;
 
 private:
     using Clock = std::chrono::steady_clock;

@@ -23,7 +23,8 @@ stage() {
 # Debian packages; elsewhere the tools themselves decide.
 install() {
     if ! command -v apt-get >/dev/null; then
-        echo "Not a Debian system; needed, by Debian's names: $*"
+        [[ -f build/build.ninja ]] ||
+            echo "Not a Debian system; needed, by Debian's names: $*"
         for tool in cmake ninja g++; do
             command -v $tool >/dev/null || fail "$tool is missing"
         done

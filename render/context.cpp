@@ -3,7 +3,6 @@
 #include "gl.h"
 
 #include <dlfcn.h>
-#include <stdlib.h>
 
 #include <array>
 #include <stdexcept>
@@ -117,9 +116,6 @@ GlChoice glChoice(const std::string& word) {
 }
 
 Context::Context(GlChoice choice) {
-    // Mesa 22.3's rasteriser, given threads of its own, shades some pixels of a process's first
-    // pictures differently from run to run; in the calling thread it does not. Twice as slow.
-    setenv("LP_NUM_THREADS", "0", 0);
     if (choice != GlChoice::egl) {
         if (const Library library{"libOSMesa.so.8", "libOSMesa.so.6"}) {
             backend_ = std::make_unique<OsMesa>(library);

@@ -24,7 +24,7 @@ inline Finish finishOf(Material material) {
         case Material::cotton:
             return {Family::cloth, {0.3f, 0.6f, 0.6f, 0.14f}, 0.3f, 0.15f};
         case Material::brass:
-            return {Family::metal, {0, 0.2f, 0, 0}};
+            return {Family::metal, {0, 0.14f, 0, 0}};
         case Material::steel:
             return {Family::metal, {0, 0.35f, 0, 0}};
         case Material::wire:

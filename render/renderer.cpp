@@ -3,6 +3,7 @@
 #include "emblem.h"
 #include "finish.h"
 #include "shaders/backdrop.h"
+#include "shaders/cloth.h"
 #include "shaders/shadow.h"
 #include "shaders/stage.h"
 #include "shaders/surface.h"
@@ -57,7 +58,8 @@ Renderer::Renderer(const Scene& scene, const RenderOptions& options)
                                         stageShader + backdropShader),
       weave_(makeWeave()),
       plain_(makeTexture(1, 1, GL_RG8, GL_RG, GL_UNSIGNED_BYTE, "\xff\xff")),
-      keyShadow_({.size = 512, .spacing = 1.0f, .wideSpacing = 3.5f}),
+      keyShadow_({.size = 512}),
+      keyBlur_({.size = 384, .spacing = 1.0f, .wideSpacing = 2.6f}),
       skyShadow_({.size = 256, .spacing = 1.5f, .wideSpacing = 5.0f}),
       canvas_(makeMultisampledTarget(options.width, options.height, options.samples)),
       resolved_(makeTarget(options.width, options.height, GL_RGBA16F)),
@@ -67,7 +69,8 @@ Renderer::Renderer(const Scene& scene, const RenderOptions& options)
     key_ = lightDirection(pose, -50, 42);
     fill_ = lightDirection(pose, 65, 18);
     rim_ = lightDirection(pose, 150, 38);
-    for (const Look& look : view_.looks) addSkin(Skin(scene.world.complex, scene.world.rest, look));
+    for (const Look& look : view_.looks)
+        addSkin(Skin(scene.world.complex, scene.world.rest, look, pixelAt(pose)));
     for (const Prop& prop : view_.props) addSkin(Skin(prop));
 }
 
@@ -136,8 +139,9 @@ Picture Renderer::draw(std::span<const Vec<double>> positions, double t, const O
     }
     findSubject();
     const auto casters = [&](const glm::mat4& matrix) { drawCasters(matrix); };
-    keyShadow_.render(key_, subject_, radius_, view_.ground, casters, empty_);
-    skyShadow_.render({0, 1, 0}, subject_, radius_, true, casters, empty_);
+    keyShadow_.render(key_, subject_, radius_, casters, empty_);
+    if (view_.ground) keyBlur_.render(key_, subject_, radius_, casters, empty_);
+    skyShadow_.render({0, 1, 0}, subject_, radius_, casters, empty_);
 
     const glm::mat4 camera =
         pose.matrix(static_cast<float>(options_.width) / static_cast<float>(options_.height));
@@ -179,6 +183,7 @@ void Renderer::drawSkins(const glm::mat4& camera, const CameraPose& pose, bool o
         program.set("finish", finish.numbers);
         program.set("wrap", finish.wrap);
         program.set("gloss", finish.gloss);
+        program.set("facet", skin.facet());
         program.set("print", glm::vec3(mesh.period, skin.size().y, skin.size().x));
         program.set("emblem", 4, skin.printed() ? mesh.emblem : plain_);
         program.set("weave", 5, weave_);
@@ -194,21 +199,32 @@ const Program& Renderer::surfaceProgram(std::size_t i, const CameraPose& pose, b
     std::string defines;
     if (!prop) defines += "#define FINE\n";
     if (overlay && !prop) defines += "#define OVERLAY\n";
+    std::string light;
+    bool small = false;
     if (family == Family::cloth) {
+        light = clothLightShader;
         if (skin.printed() && !overlay) defines += "#define PRINT\n";
         // Threads that are finer than a pixel cost and show nothing.
-        const float pixel = glm::length(pose.target - pose.eye) * pose.fieldOfView /
-                            static_cast<float>(options_.height);
-        if (pixel < weavePitch) defines += "#define WEAVE\n";
+        if (pixelAt(pose) < weavePitch) defines += "#define WEAVE\n";
+        small = skin.facet() > 0;
+        if (small) defines += "#define SMALL\n";
     }
     const auto text = family == Family::cloth   ? clothShader
                       : family == Family::metal ? metalShader
                                                 : coatShader;
     Program& program = surfaces_[defines + text];
-    if (!program)
-        program = Program(version + defines + stageShader + surfaceVertexShader,
-                          version + defines + stageShader + surfaceShader + text);
+    if (!program) {
+        const std::string stage = version + defines + stageShader + reflectionShader;
+        program = Program(stage + (small ? light : "") + surfaceVertexShader,
+                          stage + (small ? "" : light) + surfaceShader + text);
+    }
     return program;
+}
+
+// m, that a pixel shows where the camera looks.
+float Renderer::pixelAt(const CameraPose& pose) const {
+    return glm::length(pose.target - pose.eye) * pose.fieldOfView /
+           static_cast<float>(options_.height);
 }
 
 void Renderer::drawBackdrop(const glm::mat4& camera, const CameraPose& pose) {
@@ -237,8 +253,8 @@ void Renderer::setStage(const Program& program, const CameraPose& pose) const {
     program.set("skyMatrix", skyShadow_.matrix());
     program.set("keyDepth", 6, keyShadow_.depth());
     program.set("keyTexel", keyShadow_.texel());
-    program.set("keyNarrow", 0, keyShadow_.narrow());
-    program.set("keyWide", 1, keyShadow_.wide());
+    program.set("keyNarrow", 0, keyBlur_.narrow());
+    program.set("keyWide", 1, keyBlur_.wide());
     program.set("skyNarrow", 2, skyShadow_.narrow());
     program.set("skyWide", 3, skyShadow_.wide());
 }

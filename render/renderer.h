@@ -55,6 +55,7 @@ private:
     void upload(std::size_t i);
     void findSubject();
     void drawSkins(const glm::mat4& camera, const CameraPose& pose, bool overlay);
+    float pixelAt(const CameraPose& pose) const;
     const Program& surfaceProgram(std::size_t i, const CameraPose& pose, bool overlay);
     void drawCasters(const glm::mat4& matrix);
     void drawBackdrop(const glm::mat4& camera, const CameraPose& pose);
@@ -68,7 +69,7 @@ private:
     std::map<std::string, Program> surfaces_;  // by #defines and family, made when first needed
     Program depth_, backdrop_;
     Texture weave_, plain_;
-    ShadowMap keyShadow_, skyShadow_;
+    ShadowMap keyShadow_, keyBlur_, skyShadow_;
     Target canvas_, resolved_;
     Grade grade_;
     VertexArray empty_;

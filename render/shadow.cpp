@@ -7,15 +7,21 @@
 namespace plait {
 
 ShadowMap::ShadowMap(const ShadowOptions& options)
-    : options_(options),
-      blur_(blurVertexShader, blurShader),
-      depth_(makeDepthTarget(options.size)),
-      across_(makeTarget(options.size, options.size, GL_RG32F)),
-      narrow_(makeTarget(options.size, options.size, GL_RG32F)),
-      wide_(makeTarget(options.size / 2, options.size / 2, GL_RG32F)) {}
+    : options_(options), depth_(makeDepthTarget(options.size)) {
+    if (options.spacing == 0) {
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        return;
+    }
+    blur_ = Program(blurVertexShader, blurShader);
+    across_ = makeTarget(options.size, options.size, GL_RG32F);
+    narrow_ = makeTarget(options.size, options.size, GL_RG32F);
+    wide_ = makeTarget(options.size / 2, options.size / 2, GL_RG32F);
+}
 
 void ShadowMap::render(const glm::vec3& towards, const glm::vec3& center, float radius,
-                       bool blurred, const std::function<void(const glm::mat4&)>& draw,
+                       const std::function<void(const glm::mat4&)>& draw,
                        const VertexArray& empty) {
     const glm::vec3 up = std::abs(towards.y) < 0.99f ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, 1);
     const float half = 1.25f * radius;  // a margin of light around the casters, wider than a blur
@@ -31,9 +37,7 @@ void ShadowMap::render(const glm::vec3& towards, const glm::vec3& center, float 
     draw(toClip);
 
     texel_ = 2 * half / static_cast<float>(options_.size);
-    compare(true);
-    if (!blurred) return;
-    compare(false);
+    if (options_.spacing == 0) return;
     glDisable(GL_DEPTH_TEST);
     blur_.use();
     const float texel = 1 / static_cast<float>(options_.size);
@@ -42,17 +46,6 @@ void ShadowMap::render(const glm::vec3& towards, const glm::vec3& center, float 
     blur(across_.texture, false, narrow_, {0, narrow}, empty);
     blur(narrow_.texture, false, across_, {far, 0}, empty);
     blur(across_.texture, false, wide_, {0, far}, empty);
-    compare(true);
-}
-
-// Whether shaders are to see a depth, or how a depth of theirs compares with it.
-void ShadowMap::compare(bool on) const {
-    glBindTexture(GL_TEXTURE_2D, depth_.texture);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE,
-                    on ? GL_COMPARE_REF_TO_TEXTURE : GL_NONE);
-    const GLint filter = on ? GL_LINEAR : GL_NEAREST;
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
 }
 
 void ShadowMap::blur(const Texture& from, bool fromDepth, const Target& to, const glm::vec2& step,

@@ -42,9 +42,22 @@ std::vector<std::array<int, 3>> outerTriangles(const SimplicialComplex& complex,
     return triangles;
 }
 
+// Pixels, of an edge. A rasteriser in software shades blocks of 4 by 4 for each triangle that
+// touches them: of smaller triangles it draws a picture several times over.
+constexpr float widestFacet = 10;
+
+// m
+float meanEdge(std::span<const Vec<double>> x, std::span<const std::array<int, 3>> triangles) {
+    double sum = 0;
+    for (const auto& [a, b, c] : triangles)
+        sum += length(x[b] - x[a]) + length(x[c] - x[b]) + length(x[a] - x[c]);
+    return static_cast<float>(sum / (3 * static_cast<double>(triangles.size())));
+}
+
 }  // namespace
 
-Skin::Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, const Look& look)
+Skin::Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, const Look& look,
+           float pixel)
     : range_(look.object),
       material_(look.material),
       color_(toGlm(look.color)),
@@ -54,7 +67,7 @@ Skin::Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, 
         throw std::invalid_argument("look: its object is not a range of the world's vertices");
     if (!look.uv.empty() && static_cast<int>(look.uv.size()) != range_.size())
         throw std::invalid_argument("look: needs as many uv as the object has vertices");
-    addSurface(complex, rest, look);
+    addSurface(complex, rest, look, pixel);
 
     const Csr triangles = complex.parents(1), edgesAt = complex.parents(0);
     std::vector<std::array<int, 2>> edges;
@@ -99,13 +112,18 @@ Skin::Skin(const Prop& prop) : material_(prop.material), color_(toGlm(prop.color
 }
 
 void Skin::addSurface(const SimplicialComplex& complex, std::span<const Vec<double>> rest,
-                      const Look& look) {
+                      const Look& look, float pixel) {
     triangles_ = outerTriangles(complex, rest, range_);
     if (triangles_.empty()) return;
     const auto coarse = triangles_;
     surfaceVertices_ = range_.size();
     if (complex.count(3) == 0) {
-        subdivision_ = Subdivision(coarse, rest.subspan(range_.first, range_.size()));
+        const auto own = rest.subspan(range_.first, range_.size());
+        float edge = meanEdge(own, coarse);
+        const bool refined = edge > widestFacet * pixel;
+        if (refined) edge *= 0.5f;
+        if (edge < widestFacet * pixel) facet_ = edge;
+        subdivision_ = Subdivision(coarse, own, refined);
         surfaceVertices_ = subdivision_.size();
         triangles_ = subdivision_.triangles();
     }

@@ -12,13 +12,15 @@
 
 namespace plait {
 
-// Triangles are subdivided once (unless they bound tetrahedra), edges without triangles become
-// tubes, points without edges balls. Simplices belong to the object if all their vertices do.
+// Triangles are smoothed and, where they are wide, divided once (unless they bound tetrahedra);
+// edges without triangles become tubes, points without edges balls. Simplices belong to the object
+// if all their vertices do.
 class Skin {
 public:
-    // Throws std::invalid_argument if `look` has a range outside the complex or a wrong number of
-    // uv.
-    Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, const Look& look);
+    // `pixel`: m, that a pixel shows of the object. Throws std::invalid_argument if `look` has a
+    // range outside the complex or a wrong number of uv.
+    Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, const Look& look,
+         float pixel);
     // A thing that stays as it is; its edges are sharp from 40 degrees on.
     explicit Skin(const Prop& prop);
 
@@ -31,10 +33,13 @@ public:
     const glm::vec3& color() const { return color_; }
     bool printed() const { return printed_; }
     const glm::vec2& size() const { return size_; }  // m, of the cloth along u and v
+    // m, of an edge of a surface whose triangles are as small as is seen: there light changes
+    // little from vertex to vertex. Otherwise 0.
+    float facet() const { return facet_; }
 
 private:
     void addSurface(const SimplicialComplex& complex, std::span<const Vec<double>> rest,
-                    const Look& look);
+                    const Look& look, float pixel);
     void layCloth(std::span<const Vec<double>> rest, std::span<const std::array<int, 3>> triangles,
                   const Look& look);
     void updateSurface();
@@ -46,6 +51,7 @@ private:
     bool printed_ = false;
     float radius_ = 0;
     glm::vec2 size_{1};
+    float facet_ = 0;
 
     Subdivision subdivision_;  // none: fine is coarse
     int surfaceVertices_ = 0, surfaceTriangles_ = 0;

@@ -35,7 +35,7 @@ bool turns(const Vec<double>& a, const Vec<double>& x, const Vec<double>& b) {
 }  // namespace
 
 Subdivision::Subdivision(std::span<const std::array<int, 3>> triangles,
-                         std::span<const Vec<double>> rest) {
+                         std::span<const Vec<double>> rest, bool refined) {
     const auto edges = edgesOf(triangles);
     std::vector<std::vector<int>> ring(rest.size()), border(rest.size());
     std::vector<char> fixed(rest.size());
@@ -63,6 +63,10 @@ Subdivision::Subdivision(std::span<const std::array<int, 3>> triangles,
             weights[0] = 1 - n * beta;
             add(vertices, weights);
         }
+    }
+    if (!refined) {
+        triangles_.assign(triangles.begin(), triangles.end());
+        return;
     }
     for (const auto& [ends, opposite] : edges) {
         if (opposite.size() == 2)

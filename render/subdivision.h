@@ -15,8 +15,10 @@ class Subdivision {
 public:
     Subdivision() = default;
     // Borders become smooth curves; border vertices where `rest` turns by more than 50 degrees stay
-    // as they are, and so does what lies on an edge of three triangles or more.
-    Subdivision(std::span<const std::array<int, 3>> triangles, std::span<const Vec<double>> rest);
+    // as they are, and so does what lies on an edge of three triangles or more. Without `refined`
+    // vertices go to the same places, but none are added.
+    Subdivision(std::span<const std::array<int, 3>> triangles, std::span<const Vec<double>> rest,
+                bool refined = true);
 
     const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
     int size() const { return static_cast<int>(start_.size()) - 1; }  // fine vertices

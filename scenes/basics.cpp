@@ -6,6 +6,7 @@
 #include "forces/gravity.h"
 #include "measures.h"
 #include "stencils.h"
+#include "views.h"
 
 namespace plait {
 namespace {
@@ -17,23 +18,6 @@ constexpr Frame lying{.across = {1, 0, 0}, .up = {0, 0, 1}};
 void constrainStretch(World& world, Range range, double compliance = 0) {
     world.constrain(restRows<Stretch>(edgeStencils(world.complex, range), world.rest, compliance),
                     {.name = "stretch"});
-}
-
-// A camera that stands away from the middle of the action, which is `size` across, over a ground
-// just below it; every object looks the same.
-View viewOf(const std::vector<Range>& objects, const Vec<double>& middle, double size,
-            Material material) {
-    View view;
-    view.cameras = {{.time = 0,
-                     .eye = middle + size * Vec<double>{0.55, 0.3, 2.6},
-                     .target = middle - size * Vec<double>{0, 0.05, 0},
-                     .focalLength = 40}};
-    for (const Range& object : objects)
-        view.looks.push_back({.object = object, .material = material, .radius = 0.008 * size});
-    view.groundHeight = middle.y - 0.62 * size;
-    view.groundSize = size;
-    view.glowCenter = middle;
-    return view;
 }
 
 // In degrees: how far the lower end of the strip is from hanging, once it is at rest.
@@ -93,7 +77,8 @@ Scene pendulum(const Knobs& knobs) {
     scene.metrics = {greatestStrain(scene.world, rod, {-0.01, 0.01}),
                      energyGain(scene.world, gravity, length * length * 9.81, {-50, 0.01}),
                      height("bob", rod.last - 1, {-1.01 * length, 0.01 * length})};
-    scene.view = viewOf({rod}, {0, -length / 2, 0}, 2 * length, Material::brass);
+    scene.view = viewOf({rod}, {0, -length / 2, 0}, 1.4 * length, Material::steel);
+    scene.view.looks.push_back(lookOf({rod.last - 1, rod.last}, Material::brass, 0.08 * length));
     return scene;
 }
 
@@ -111,7 +96,7 @@ Scene hangingChain(const Knobs&) {
     scene.metrics = {greatestStrain(scene.world, links, {-0.01, 0.01}),
                      energyGain(scene.world, gravity, 9.81 / 2, {-70, 0.01}),
                      height("tip", links.last - 1, {-1.01, 1.01})};
-    scene.view = viewOf({links}, {0, -0.5, 0}, 2, Material::steel);
+    scene.view = viewOf({links}, {0, -0.5, 0}, 1.4, Material::rubber);
     return scene;
 }
 
@@ -129,7 +114,7 @@ Scene hangingSheet(const Knobs& knobs) {
     scene.options.schedule = {.substeps = knobs.byQuality(50, 50, 200), .iterations = 1};
     scene.metrics = {greatestStrain(scene.world, sheet, {0, 65}),
                      commonStrain(scene.world, sheet, {0, 18}), lowestHeight({-1.1, 1e-6})};
-    scene.view = viewOf({sheet}, {0.5, -0.4, -0.3}, 1.6, Material::cotton);
+    scene.view = viewOf({sheet}, {0.5, -0.4, -0.3}, 1.4, Material::cotton);
     return scene;
 }
 
@@ -149,7 +134,8 @@ Scene stripInWind(const Knobs& knobs) {
     scene.options.schedule = {.substeps = 20, .iterations = 2};
     scene.options.damping = 0.3;
     scene.metrics = {greatestStrain(scene.world, strip, {0, 5}), stripAngle(strip, wind)};
-    scene.view = viewOf({strip}, {0.05, -0.45, 0.4}, 1.2, Material::silk);
+    // From the side, where its angle is seen.
+    scene.view = viewOf({strip}, {0.05, -0.45, 0.35}, 1, Material::silk, {2.4, 0.3, 1.1});
     return scene;
 }
 
@@ -166,7 +152,8 @@ Scene windGauge(const Knobs& knobs) {
                          .wind = {.velocity = [=](double) { return wind; }}});
     constrainStretch(scene.world, gauge);
     scene.metrics = {windLag(wind, drag), greatestStrain(scene.world, gauge, {-0.01, 0.01})};
-    scene.view = viewOf({gauge}, {0.05, 0.05, 0}, 0.3, Material::silk);
+    scene.view = viewOf({gauge}, {-0.1, 0.05, -0.05}, 0.2, Material::silk);
+    travel(scene.view, wind);
     return scene;
 }
 
@@ -216,7 +203,9 @@ Scene band(const Knobs&) {
     scene.seconds = 4;
     scene.metrics = {greatestStrain(scene.world, loop, {15, 26}),
                      commonStrain(scene.world, loop, {15, 26})};
-    scene.view = viewOf({loop}, {0, 0, 0}, 1.1, Material::rubber);
+    scene.view = viewOf({loop}, {0, 0, 0}, 0.65, Material::rubber);
+    for (const double x : {-apart / 2, apart / 2})
+        addPeg(scene.view, {x, 0, 0.02}, radius - scene.view.looks[0].radius);
     return scene;
 }
 

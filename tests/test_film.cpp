@@ -30,18 +30,13 @@ std::vector<std::string> film(const TemporaryFolder& folder, const std::string& 
             "--no-caption"};
 }
 
-// Every picture is alike, and clip and sheet are there. Not byte for byte: the first pictures that
-// a process draws differ now and then in a few pixels of one tile (Mesa 22.3; a glFinish between
-// the passes makes it the rule).
+// Every picture has the same bytes, and clip and sheet are there.
 void checkAlike(const TemporaryFolder& folder, const std::string& a, const std::string& b) {
     for (int i = 1; i <= 12; ++i) {
         const std::string name = "frames/" + numbered(i, ".png");
         INFO(name);
-        const Outcome outcome = plait::test::plait(
-            folder,
-            {"compare", "--loose", (folder / a / name).string(), (folder / b / name).string()});
-        INFO(outcome.out << outcome.err);
-        CHECK(outcome.status == 0);
+        const bool same = contents(folder / a / name) == contents(folder / b / name);
+        CHECK(same);
     }
     for (const char* name : {"clip.mp4", "contact.png"}) {
         INFO(name);
@@ -65,9 +60,12 @@ TEST_CASE("a film: pictures, clip and contact sheet, again from the cache, and c
         CHECK(contains(json, "\"" + std::string(key) + "\": "));
 
     fs::copy(folder / "run", folder / "again", fs::copy_options::recursive);
+    // Mesa treats denormals by the thread that it draws in; none may reach a picture.
+    setenv("LP_NUM_THREADS", "0", 1);
     REQUIRE(plait::test::plait(folder, {"render", (folder / "again").string(), "--size", "160x90",
                                         "--no-caption", "--quiet"})
                 .status == 0);
+    unsetenv("LP_NUM_THREADS");
     checkAlike(folder, "run", "again");
 
     const auto picture = [&](int i) {

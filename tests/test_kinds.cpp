@@ -146,8 +146,8 @@ std::vector<KernelChoice> everyChoice() {
 
 template <class Kind>
 std::string nameOf() {
-    const char* names[] = {"stretch", "angle", "shear",  "bend",
-                           "attach",  "plane", "sphere", "capsule"};
+    const char* names[] = {"stretch", "angle", "shear",  "bend",   "attach",
+                           "tether",  "plane", "sphere", "capsule"};
     return names[kindIndex<Kind>(Kinds{})];
 }
 

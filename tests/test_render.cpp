@@ -138,6 +138,24 @@ TEST_CASE("lit cloth has the look book's colours", "[render]") {
                  0.1));
 }
 
+TEST_CASE("a fine mesh, lit by vertex, looks like a coarse one, lit by pixel", "[render]") {
+    // A tilted sheet, of whose two sides the camera sees one.
+    const auto sheet = [](int cells, bool back) {
+        Scene scene;
+        const Range cloth = scene.world.add(grid(
+            {.columns = cells + 1, .rows = cells + 1, .width = 1.6}, {.origin = {-0.8, 0, 0}}));
+        for (auto& x : scene.world.rest) x.z = 0.7 * x.x;
+        Look look{.object = cloth, .print = "plait"};
+        for (const auto& x : scene.world.rest) look.uv.push_back({x.x / 1.6 + 0.5, x.y});
+        scene.view.looks = {look};
+        scene.view.cameras = {{.eye = {0.4, 0.7, back ? -4.5 : 4.5}, .target = {0, 0.5, 0}}};
+        return Renderer(scene, small).draw(scene.world.rest, 0);
+    };
+    for (const bool back : {false, true})
+        CHECK(report("pixels that differ", fractionThatDiffers(sheet(3, back), sheet(48, back), 6),
+                     0.003));
+}
+
 TEST_CASE("subdivision keeps planes and corners, and rounds spheres", "[render]") {
     const auto shape = grid({.columns = 5, .rows = 4});
     std::vector<std::array<int, 3>> triangles;

@@ -8,6 +8,7 @@
 #include "contact.h"
 #include "shear.h"
 #include "stretch.h"
+#include "tether.h"
 
 namespace plait {
 inline namespace PLAIT_ISA {
@@ -15,8 +16,8 @@ inline namespace PLAIT_ISA {
 template <class... Kind>
 struct KindList {};
 
-using Kinds =
-    KindList<Stretch, Angle, Shear, Bend, Attach, PlaneContact, SphereContact, CapsuleContact>;
+using Kinds = KindList<Stretch, Angle, Shear, Bend, Attach, Tether, PlaneContact, SphereContact,
+                       CapsuleContact>;
 
 }  // namespace PLAIT_ISA
 }  // namespace plait

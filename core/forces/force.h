@@ -20,7 +20,8 @@ public:
     // [IN29].
     virtual void beginFrame(const State<Real>&, double /*t0*/, double /*t1*/, Workers&) {}
     // Before any force of the substep, where everything stays until all have been applied: what
-    // follows from positions, and the inertia of the air, written to state.air.
+    // follows from positions, and the inertia of the air, written to state.air, with what it takes
+    // from velocities.
     virtual void prepare(State<Real>&, Workers&) {}
     // v <- v + h W f for a substep of h seconds that begins at time t. Vertices without inverse
     // mass stay as they are.

@@ -44,8 +44,12 @@ double simulate(const Run& run, int threads) {
     return since(start);
 }
 
-// Seconds until `frames` frames are film, from the very beginning.
-double film(const Run& run, int frames, int threads) {
+struct Film {
+    double seconds;  // from the very beginning
+    Stages stages;
+};
+
+Film film(const Run& run, int frames, int threads) {
     const Scratch scratch;
     const auto start = Clock::now();
     Run part = run;
@@ -53,29 +57,42 @@ double film(const Run& run, int frames, int threads) {
     const RunFolder folder(scratch.path, settingsOf(part), {});
     RunJobOptions options{.threads = threads, .quiet = true, .pictures = {}, .exports = {}};
     options.pictures = requestedPictures({}, part);
-    RunJob(part, folder, options).execute();
-    return since(start);
+    RunJob job(part, folder, options);
+    job.execute();
+    return {since(start), job.stages()};
 }
 
 void bench(const std::string& scene, const std::string& quality, int threads) {
     const Run run = makeRun({{"scene", scene}, {"quality", quality}});
-    const double playing = run.frames() / run.frameRate();
+    const PictureOptions pictures = requestedPictures({}, run);
+    const int frames = run.frames();
+    const double playing = frames / run.frameRate();
+    const auto line = [](const std::string& name, double value, const char* unit) {
+        std::printf("  %-24s %10.2f %s\n", name.c_str(), value, unit);
+    };
+    std::printf("\n%s: %d vertices, %d frames of %dx%d\n", quality.c_str(),
+                run.scene.world.complex.count(0), frames, pictures.width, pictures.height);
     const double simulated = simulate(run, threads);
-    const double first = film(run, 1, threads), all = film(run, run.frames(), threads);
-    std::printf("%-9s %9d %10.2f %9.2f %9.2f %10.2f %10.2f %11.2f\n", quality.c_str(),
-                run.scene.world.complex.count(0), playing, 1000 * simulated / run.frames(),
-                playing / simulated, first, all, all / playing);
+    line("simulate alone", 1000 * simulated / frames, "ms a frame");
+    line("", playing / simulated, "times real time");
+    const double first = film(run, 1, threads).seconds;
+    const Film whole = film(run, frames, threads);
+    for (const auto& [stage, seconds] : whole.stages) {
+        const bool once = stage == "build" || stage.starts_with("open");
+        line(stage, 1000 * seconds / (once ? 1 : frames), once ? "ms" : "ms a frame");
+    }
+    line("first frame", first, "s");
+    line("film", whole.seconds, "s");
+    line("", whole.seconds / playing, "times its playing time");
 }
 
 }  // namespace
 
 int benchScene(const std::string& scene, int threads) {
     const Machine machine = thisMachine();
-    std::printf("%s on %s, %d cores, %d threads, kernels %s with %d lanes\n\n", scene.c_str(),
+    std::printf("%s on %s, %d cores, %d threads, kernels %s with %d lanes\n", scene.c_str(),
                 machine.processor.c_str(), machine.cores, threads, machine.kernels.c_str(),
                 machine.lanes);
-    std::printf("%-9s %9s %10s %9s %9s %10s %10s %11s\n", "", "vertices", "playing s", "ms/frame",
-                "realtime", "first s", "film s", "film/play");
     for (const char* quality : {"draft", "preview"}) bench(scene, quality, threads);
     return exitOk;
 }

@@ -5,8 +5,9 @@
 
 namespace plait {
 
-// A line of figures for each of draft and preview: simulating alone, drawing alone, and both with
-// encoding as `plait run` has them; and how long the first frame takes. Returns an exit status.
+// A table for each of draft and preview: what a frame costs, simulated alone and stage by stage in
+// `plait run`, where simulating, drawing and encoding overlap; and how long it takes to the first
+// frame and to the whole film. Returns an exit status.
 int benchScene(const std::string& scene, int threads);
 
 }  // namespace plait

@@ -31,7 +31,7 @@ out vec4 result;
 
 vec2 tap(vec2 p) {
     vec2 v = texture(source, p).rg;
-    float w = -exp(-40.0 * v.r);
+    float w = -exp(20.0 - 40.0 * v.r);
     return fromDepth == 1 ? vec2(w, w * w) : v;
 }
 

@@ -45,11 +45,12 @@ vec3 backdrop(vec3 direction, float blur) {
     return backdropAt(.5 + rise / (lens.y + blur), direction);
 }
 
-// Part of the light that arrives behind one caster, from moments of -exp(-40 depth) (Lauritzen and
-// McCool 2008): blurred before it is looked up, so that a wide penumbra costs one fetch.
+// Part of the light that arrives behind one caster, from moments of -exp(20 - 40 depth) (Lauritzen
+// and McCool 2008): blurred before it is looked up, so that a wide penumbra costs one fetch. Without
+// the 20 the least variance is subnormal; flushed to 0, as some threads do, it makes 0/0.
 float visible(sampler2D map, vec3 place, float bias) {
     vec2 moments = texture(map, place.xy).rg;
-    float depth = -exp(-40.0 * (clamp(place.z, 0.0, 1.0) - bias));
+    float depth = -exp(20.0 - 40.0 * (clamp(place.z, 0.0, 1.0) - bias));
     float beyond = max(depth - moments.x, 0.0);
     float variance = max(moments.y - square(moments.x), 1e-4 * square(moments.x));
     return smoothstep(.1, 1.0, variance / (variance + square(beyond)));

@@ -1,0 +1,111 @@
+// One Newton step for the multipliers of whole strands, each lane a strand: a tridiagonal system,
+// factored on the way there (L D L^T) and solved on the way back.
+#pragma once
+
+#include "kernel_loop.h"
+#include "strand_kernels.h"
+
+namespace plait {
+inline namespace PLAIT_ISA {
+
+// What the way there leaves for the way back.
+template <class T>
+struct StrandLink {
+    Vec<T> along;  // gradient: unit, from the link's first vertex to its second
+    T factor;      // of L, towards the link before
+    T solved;      // right-hand side after L and D
+    T w;           // of the link's second vertex
+};
+
+// Lane by lane, so that a link's numbers lie together.
+template <class Real>
+Real* workOf(const StrandBlock<Real>& block, int link, int lane) {
+    return block.work + strandWork * (link * blockSize + lane);
+}
+
+template <class T, bool inAir>
+Response<T, inAir> responseOf(const Sweep<Scalar<T>>& sweep, const int* ids, T w) {
+    Response<T, inAir> response{w, {}};
+    if constexpr (inAir) response.q = gather<T>(sweep.air, ids, 4).xyz;
+    return response;
+}
+
+// C, or by how much its rate is to fall.
+template <class T, Pass pass>
+T residualOf(const Sweep<Scalar<T>>& sweep, const int* from, const Vec<T>& along, T c) {
+    if constexpr (pass != Pass::damp) return c;
+    const Vec<T> rate =
+        gather<T>(sweep.out, from + blockSize, 4).xyz - gather<T>(sweep.out, from, 4).xyz;
+    return T(sweep.strength) * dot(along, rate);
+}
+
+template <class T, Pass pass, bool inAir>
+void factor(const Sweep<Scalar<T>>& sweep, const StrandBlock<Scalar<T>>& block, int lane) {
+    const int* ids = block.ids + lane;
+    auto response = responseOf<T, inAir>(sweep, ids, gather<T>(sweep.particles, ids, 8).w);
+    StrandLink<T> last{{T(0), T(0), T(0)}, T(0), T(0), T(0)};
+    T inverse = T(0);
+    for (int k = 0; k < block.links; ++k, ids += blockSize) {
+        const Quad<T> apart = gatherRelative<T>(sweep.particles, ids, ids + blockSize);
+        const T l = length(apart.xyz);
+        StrandLink<T> link{divide(T(1), l) * apart.xyz, T(0), T(0), apart.w};
+        const Scalar<T>* row = block.rows + 2 * k * blockSize + lane;
+        const T a = pass == Pass::damp ? T(0) : load<T>(row + blockSize) * T(sweep.inverseH2);
+        const T lambda = T(sweep.keep) * load<T>(block.lambda + k * blockSize + lane);
+        const T c = residualOf<T, pass>(sweep, ids, link.along, l - load<T>(row));
+
+        const Vec<T> pull = response.of(link.along);
+        const T beside = -dot(last.along, pull);
+        const T own = dot(link.along, pull);
+        response = responseOf<T, inAir>(sweep, ids + blockSize, apart.w);
+        link.factor = beside * inverse;
+        const T pivot = own + dot(link.along, response.of(link.along)) + a - beside * link.factor;
+        inverse = divide(T(1), pivot);
+        // `solved` of the last link is D^-1 times what L left of it, and beside = factor * D.
+        link.solved = inverse * (-(c + a * lambda) - beside * last.solved);
+        __builtin_memcpy(workOf(block, k, lane), &link, sizeof link);
+        last = link;
+    }
+}
+
+template <class T, Pass pass, bool inAir>
+void solve(const Sweep<Scalar<T>>& sweep, const StrandBlock<Scalar<T>>& block, int lane) {
+    const int* ids = block.ids + block.links * blockSize + lane;
+    Scalar<T>* const to = pass == Pass::project ? sweep.particles + 4 : sweep.out;
+    constexpr int stride = pass == Pass::project ? 8 : 4;
+    const T strength = pass == Pass::project ? T(sweep.strength) : T(1);
+    StrandLink<T> next{{T(0), T(0), T(0)}, T(0), T(0), T(0)};
+    T change = T(0);
+    for (int k = block.links - 1; k >= 0; --k, ids -= blockSize) {
+        StrandLink<T> link;
+        __builtin_memcpy(&link, workOf(block, k, lane), sizeof link);
+        const Vec<T> pulled = change * next.along;
+        change = link.solved - next.factor * change;
+        const auto response = responseOf<T, inAir>(sweep, ids, link.w);
+        scatterAdd<T>(to, ids, stride, strength * response.of(change * link.along - pulled));
+        if constexpr (pass == Pass::project) {
+            Scalar<T>* const lambda = block.lambda + k * blockSize + lane;
+            store(lambda, T(sweep.keep) * load<T>(lambda) + strength * change);
+        }
+        next = link;
+    }
+    const auto response = responseOf<T, inAir>(sweep, ids, gather<T>(sweep.particles, ids, 8).w);
+    scatterAdd<T>(to, ids, stride, strength * response.of(-change * next.along));
+}
+
+template <class T, Pass pass, bool inAir>
+[[gnu::flatten]] void strandLoop(const Sweep<Scalar<T>>& sweep,
+                                 const StrandBlock<Scalar<T>>& block) {
+    for (int lane = 0; lane < blockSize; lane += Lanes<T>::count) {
+        factor<T, pass, inAir>(sweep, block, lane);
+        solve<T, pass, inAir>(sweep, block, lane);
+    }
+}
+
+template <class T>
+inline constexpr StrandTable<Scalar<T>> strandKernelsOf = {
+    {strandLoop<T, Pass::project, false>, strandLoop<T, Pass::project, true>},
+    {strandLoop<T, Pass::damp, false>, strandLoop<T, Pass::damp, true>}};
+
+}  // namespace PLAIT_ISA
+}  // namespace plait

@@ -1,0 +1,109 @@
+// Stretch links strung to strands, each strand solved at once: an evaluation is one Newton step for
+// all of its multipliers, exact and in O(N), eight strands and more side by side. Where a sheet is
+// taut along its threads and soft across their weave, as cloth is, two such sets (warp and weft)
+// hold it at any resolution; sweeps would need some N^2 of them.
+//
+// Unlike DirectSet it runs in the precision of the sweep and in lanes, and knows chains only; links
+// resist compression as they do extension.
+#pragma once
+
+#include "constraint.h"
+#include "constraints/kinds.h"
+#include "rows.h"
+#include "strand_kernels.h"
+#include "strands.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace plait {
+
+template <class Real>
+class StrandSet : public Constraint<Real> {
+public:
+    // `rest` by vertex, m; one vertex more is a vertex without mass that nothing else uses. Throws
+    // std::invalid_argument for rows that move and for links that buckle.
+    StrandSet(const Rows<Stretch>& set, std::span<const Vec<double>> rest, KernelChoice choice)
+        : kernels_(strandKernels<Real>(choice)), size_(set.size()) {
+        if (set.animate) throw std::invalid_argument("strands: rest lengths cannot move");
+        for (const auto& row : set.rows)
+            if (row.compression != row.compliance)
+                throw std::invalid_argument("strands: links cannot buckle");
+        const std::vector<Strand> strands = strandsOf(set.ids, rest);
+        int colors = 0;
+        for (const Strand& strand : strands) colors = std::max(colors, strand.color + 1);
+        for (int color = 0; color < colors; ++color) {
+            std::vector<const Strand*> members;
+            for (const Strand& strand : strands)
+                if (strand.color == color) members.push_back(&strand);
+            const int begin = static_cast<int>(blocks_.size());
+            for (std::size_t i = 0; i < members.size(); i += blockSize) {
+                const std::size_t count = std::min<std::size_t>(blockSize, members.size() - i);
+                blocks_.emplace_back(set, std::span(members).subspan(i, count),
+                                     static_cast<int>(rest.size()));
+            }
+            colors_.push_back({begin, static_cast<int>(blocks_.size())});
+        }
+    }
+
+    void begin(const Substep&, Workers&) override {
+        for (Block& block : blocks_) std::fill(block.lambda.begin(), block.lambda.end(), Real(0));
+    }
+    void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override {
+        const bool back = direction == Direction::backward;
+        for (std::size_t c = 0; c < colors_.size(); ++c)
+            run(kernels_.project, colors_[back ? colors_.size() - 1 - c : c], sweep, workers);
+    }
+    void damp(const Sweep<Real>& sweep, Workers& workers) override {
+        for (const Color& color : colors_) run(kernels_.damp, color, sweep, workers);
+    }
+    long size() const override { return size_; }
+
+private:
+    // As in StrandBlock.
+    struct Block {
+        Block(const Rows<Stretch>& set, std::span<const Strand* const> strands, int padding)
+            : links(static_cast<int>(strands[0]->links.size())),
+              ids((links + 1) * blockSize, padding),
+              rows(2 * links * blockSize, 0),
+              lambda(links * blockSize, 0),
+              work(strandWork * links * blockSize, 0) {
+            for (std::size_t n = 0; n < strands.size(); ++n) {
+                const Strand& strand = *strands[n];
+                for (std::size_t v = 0; v < strand.vertices.size(); ++v)
+                    ids[v * blockSize + n] = strand.vertices[v];
+                for (std::size_t k = 0; k < strand.links.size(); ++k) {
+                    const auto& row = set.rows[strand.links[k]];
+                    rows[2 * k * blockSize + n] = static_cast<Real>(row.rest);
+                    rows[(2 * k + 1) * blockSize + n] = static_cast<Real>(row.compliance);
+                }
+            }
+        }
+
+        int links;  // of its longest strand
+        std::vector<int> ids;
+        std::vector<Real> rows, lambda, work;
+    };
+    struct Color {
+        int begin, end;  // blocks
+    };
+
+    void run(const StrandKernel<Real> (&kernels)[2], const Color& color, const Sweep<Real>& sweep,
+             Workers& workers) {
+        const StrandKernel<Real> kernel = kernels[sweep.air ? 1 : 0];
+        workers.forBlocks(color.end - color.begin, 1, [&](int begin, int end) {
+            for (int b = color.begin + begin; b < color.begin + end; ++b) {
+                Block& block = blocks_[b];
+                kernel(sweep, {block.ids.data(), block.rows.data(), block.lambda.data(),
+                               block.work.data(), block.links});
+            }
+        });
+    }
+
+    const StrandTable<Real>& kernels_;
+    long size_;
+    std::vector<Block> blocks_;
+    std::vector<Color> colors_;
+};
+
+}  // namespace plait

@@ -1,0 +1,22 @@
+// Strands: links strung end to end, so that each strand can be solved at once. In woven cloth they
+// are its threads; in any other mesh, the straightest ways through it.
+#pragma once
+
+#include "math.h"
+
+#include <span>
+#include <vector>
+
+namespace plait {
+
+struct Strand {
+    std::vector<int> vertices;  // one more than links, none twice
+    std::vector<int> links;     // their places in what was given
+    int color = 0;              // strands of a colour share no vertex
+};
+
+// Every link (two vertices each) in one strand. At each vertex a link goes on in the one most
+// nearly opposite to it, by the positions `rest`, if they are within 60 degrees of straight.
+std::vector<Strand> strandsOf(std::span<const int> links, std::span<const Vec<double>> rest);
+
+}  // namespace plait

@@ -1,0 +1,25 @@
+// How the small scenes are looked at.
+#pragma once
+
+#include "view.h"
+
+#include <vector>
+
+namespace plait {
+
+// Brass and steel in the colours of their metals, all else vermilion.
+Look lookOf(const Range& object, Material material, double radius);
+
+// A camera that looks `from` a side at the middle of the action, which is `size` (m) across, over
+// a ground just below it; every object looks the same.
+View viewOf(const std::vector<Range>& objects, const Vec<double>& middle, double size,
+            Material material, const Vec<double>& from = {0.55, 0.3, 2.6});
+
+// The camera travels at this velocity (m/s) from where it is at time 0, without end and without a
+// ground, which would stay behind.
+void travel(View& view, const Vec<double>& velocity);
+
+// A round peg along z behind the point `front`.
+void addPeg(View& view, const Vec<double>& front, double radius);
+
+}  // namespace plait
