@@ -117,6 +117,7 @@ private:
         void sweep(Sweep<Real> fine, Direction direction, Workers& workers) {
             fine.particles = &particles[0].x.x;
             fine.air = nullptr;
+            fine.keep = 0;
             set->project(fine, direction, workers);
         }
 

@@ -20,34 +20,38 @@ struct Graph {
     bool moves(int node) const { return mass[node] < infinity; }
 };
 
-// The numbers of aggregates, in the order of their first members.
-std::vector<int> numbered(const std::vector<int>& first, int& count) {
-    std::vector<int> parent(first.size(), -1);
+// Numbers in the order of their first use.
+std::vector<int> renumbered(std::vector<int> label, int& count) {
+    std::vector<int> number(label.size() * 2, -1);
     count = 0;
-    for (std::size_t n = 0; n < first.size(); ++n)
-        if (first[n] >= 0) parent[n] = first[n] == static_cast<int>(n) ? count++ : parent[first[n]];
-    return parent;
+    for (int& l : label)
+        if (l >= 0) {
+            int& n = number[l];
+            if (n < 0) n = count++;
+            l = n;
+        }
+    return label;
 }
 
-// Each node that moves with the nearest neighbour that is still alone, in the order of nodes; on a
-// grid these are pairs along one direction, and pairs of pairs make squares.
-std::vector<int> matched(const Graph& graph, int& count) {
-    const Ways ways(graph.size(), graph.links);
-    std::vector<int> first(graph.mass.size(), -1);
-    for (int n = 0; n < graph.size(); ++n) {
+// Each node with its nearest neighbour that is still alone, in the order of nodes; on a grid these
+// are pairs along one direction, and pairs of pairs make squares.
+std::vector<int> matched(const std::vector<Vec<double>>& rest, std::span<const Link> links,
+                         int& count) {
+    const Ways ways(static_cast<int>(rest.size()), links);
+    std::vector<int> first(rest.size(), -1);
+    for (int n = 0; n < static_cast<int>(rest.size()); ++n) {
         if (first[n] >= 0 || ways.around(n).empty()) continue;
         first[n] = n;
-        if (!graph.moves(n)) continue;
         int best = -1;
         double least = infinity;
         for (const auto& [other, unused] : ways.around(n)) {
-            const double apart = length(graph.rest[other] - graph.rest[n]);
-            if (first[other] < 0 && graph.moves(other) && apart < least)
+            const double apart = length(rest[other] - rest[n]);
+            if (first[other] < 0 && apart < 0.999999 * least)  // alike but for rounding: the first
                 best = other, least = apart;
         }
         if (best >= 0) first[best] = n;
     }
-    return numbered(first, count);
+    return renumbered(std::move(first), count);
 }
 
 std::vector<std::pair<int, int>> joined(const std::vector<Link>& links,
@@ -156,6 +160,27 @@ std::vector<Link> bounds(const Graph& fine, const std::vector<int>& parent,
     return links;
 }
 
+// Squares, or what comes near: pairs of pairs; but every pinned vertex by itself.
+std::vector<int> quartered(const Graph& fine, int& count) {
+    int pairs = 0;
+    std::vector<int> parent = matched(fine.rest, fine.links, pairs);
+    std::vector<Vec<double>> middle(pairs, {0, 0, 0});
+    std::vector<int> members(pairs, 0);
+    for (int n = 0; n < fine.size(); ++n)
+        if (parent[n] >= 0) middle[parent[n]] += fine.rest[n], ++members[parent[n]];
+    for (int p = 0; p < pairs; ++p) middle[p] = (1.0 / members[p]) * middle[p];
+    std::vector<Link> links;
+    for (const auto& [a, b] : joined(fine.links, parent)) links.push_back({a, b, 0});
+    const std::vector<int> quarter = matched(middle, links, count);
+    for (int n = 0; n < fine.size(); ++n) {
+        if (parent[n] < 0) continue;
+        // A pair without another pair beside it stays one.
+        const int whole = quarter[parent[n]];
+        parent[n] = !fine.moves(n) ? fine.size() + n : whole >= 0 ? whole : count + parent[n];
+    }
+    return renumbered(std::move(parent), count);
+}
+
 }  // namespace
 
 std::vector<AggregateLevel> aggregate(std::vector<double> mass, std::vector<Vec<double>> rest,
@@ -166,15 +191,9 @@ std::vector<AggregateLevel> aggregate(std::vector<double> mass, std::vector<Vec<
     };
     std::vector<AggregateLevel> levels;
     while (moving(fine) > fewest) {
-        int pairs = 0, count = 0;
+        int count = 0;
         AggregateLevel level;
-        const std::vector<int> pair = matched(fine, pairs);
-        Graph half = merged(fine, pair, pairs, level.share);
-        for (const auto& [a, b] : joined(fine.links, pair)) half.links.push_back({a, b, 0});
-        level.parent = pair;
-        const std::vector<int> quarter = matched(half, count);
-        for (int& p : level.parent)
-            if (p >= 0) p = quarter[p];
+        level.parent = quartered(fine, count);
         Graph coarse = merged(fine, level.parent, count, level.share);
         if (3 * moving(coarse) > 2 * moving(fine)) break;  // nothing left that merges
         coarse.links = bounds(fine, level.parent, level.share, coarse);

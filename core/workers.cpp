@@ -22,7 +22,7 @@ void await(const std::atomic<T>& value, T old) {
 
 }  // namespace
 
-Workers::Workers(int threads) {
+Workers::Workers(int threads) : shares_(static_cast<std::size_t>(std::max(threads, 1))) {
     if (threads < 1) throw std::invalid_argument("threads must be at least 1");
     for (int t = 1; t < threads; ++t) pool_.emplace_back([this, t] { serve(t); });
 }
@@ -39,13 +39,23 @@ void Workers::run(const Job& job) {
         return;
     }
     job_ = job;
-    running_.store(static_cast<int>(pool_.size()), std::memory_order_relaxed);
-    round_.fetch_add(1, std::memory_order_release);
+    unsigned round = round_.load(std::memory_order_relaxed) + 1;
+    if (round == 0) round = 1;  // 0 is for shares that nobody may begin
+    for (Share& share : shares_) share.open.store(round, std::memory_order_release);
+    round_.store(round, std::memory_order_release);
     round_.notify_all();
     share(0);
-    for (int left = running_.load(std::memory_order_acquire); left > 0;
-         left = running_.load(std::memory_order_acquire))
-        await(running_, left);
+    for (int t = 1; t < threads(); ++t)
+        if (claim(t, round)) {
+            share(t);
+            shares_[static_cast<std::size_t>(t)].done.store(round, std::memory_order_relaxed);
+        }
+    for (int t = 1; t < threads(); ++t) {
+        const std::atomic<unsigned>& done = shares_[static_cast<std::size_t>(t)].done;
+        for (unsigned at = done.load(std::memory_order_acquire); at != round;
+             at = done.load(std::memory_order_acquire))
+            await(done, at);
+    }
 }
 
 void Workers::share(int thread) const {
@@ -56,13 +66,23 @@ void Workers::share(int thread) const {
     if (begin < end) job_.call(job_.context, begin, end);
 }
 
+// True for one of those who ask in a round; `job_` stays until that one is done.
+bool Workers::claim(int thread, unsigned round) {
+    return shares_[static_cast<std::size_t>(thread)].open.compare_exchange_strong(
+        round, 0, std::memory_order_acq_rel);
+}
+
 void Workers::serve(int thread) {
     const FlushDenormals flush;
-    for (unsigned seen = 0;; ++seen) {
+    std::atomic<unsigned>& done = shares_[static_cast<std::size_t>(thread)].done;
+    for (unsigned seen = 0;;) {
         await(round_, seen);
         if (stop_) return;
+        seen = round_.load(std::memory_order_acquire);
+        if (!claim(thread, seen)) continue;
         share(thread);
-        if (running_.fetch_sub(1, std::memory_order_acq_rel) == 1) running_.notify_all();
+        done.store(seen, std::memory_order_release);
+        done.notify_all();
     }
 }
 

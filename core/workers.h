@@ -19,8 +19,10 @@ public:
     int threads() const { return static_cast<int>(pool_.size()) + 1; }
 
     // Calls body(begin, end) for consecutive blocks of [0, count) and returns when all are done.
-    // The blocks are dealt out in contiguous runs, so that a thread meets the same data every time.
-    // A count of less than two blocks runs here. `body` must not throw.
+    // The blocks are dealt out in contiguous runs, so that a thread meets the same data every time;
+    // what a thread has not begun when this one is through with its own, this one does too, so that
+    // threads without a core to run on hold nothing up. A count of less than two blocks runs here.
+    // `body` must not throw.
     template <class Body>
     void forBlocks(int count, int block, const Body& body) {
         const auto call = [](const void* context, int begin, int end) {
@@ -36,14 +38,21 @@ private:
         int count, block;
     };
 
+    // The run of one thread in the present round, on a cache line of its own.
+    struct alignas(64) Share {
+        std::atomic<unsigned> open{0};  // the round, until somebody begins it
+        std::atomic<unsigned> done{0};  // the round, when it is through
+    };
+
     void run(const Job& job);
     void share(int thread) const;
+    bool claim(int thread, unsigned round);
     void serve(int thread);
 
     Job job_{};
     std::atomic<unsigned> round_{0};
-    std::atomic<int> running_{0};
     std::atomic<bool> stop_{false};
+    std::vector<Share> shares_;  // by thread
     std::vector<std::jthread> pool_;
 };
 

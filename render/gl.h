@@ -57,6 +57,7 @@ namespace plait {
     X(PIXELSTOREI, PixelStorei)                                       \
     X(READPIXELS, ReadPixels)                                         \
     X(RENDERBUFFERSTORAGEMULTISAMPLE, RenderbufferStorageMultisample) \
+    X(SCISSOR, Scissor)                                               \
     X(SHADERSOURCE, ShaderSource)                                     \
     X(TEXIMAGE2D, TexImage2D)                                         \
     X(TEXPARAMETERI, TexParameteri)                                   \

@@ -19,6 +19,8 @@ namespace plait {
 namespace {
 
 constexpr const char* version = "#version 330 core\n";
+// Sizes of the subject, from its middle to where the ground ends.
+constexpr float groundReach = 3.5f;
 
 glm::vec3 toGlm(const Vec<double>& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
@@ -54,8 +56,7 @@ Renderer::Renderer(const Scene& scene, const RenderOptions& options)
       options_(options),
       context_(options.gl),
       depth_(depthVertexShader, depthShader),
-      backdrop_(screenVertexShader, version + std::string(view_.ground ? "#define GROUND\n" : "") +
-                                        stageShader + backdropShader),
+      backdrop_(screenVertexShader, version + std::string(stageShader) + backdropShader),
       weave_(makeWeave()),
       plain_(makeTexture(1, 1, GL_RG8, GL_RG, GL_UNSIGNED_BYTE, "\xff\xff")),
       keyShadow_({.size = 512}),
@@ -65,6 +66,9 @@ Renderer::Renderer(const Scene& scene, const RenderOptions& options)
       resolved_(makeTarget(options.width, options.height, GL_RGBA16F)),
       grade_(options.width, options.height),
       empty_(makeVertexArray()) {
+    if (view_.ground)
+        ground_ = Program(screenVertexShader,
+                          version + std::string("#define GROUND\n") + stageShader + backdropShader);
     const CameraPose pose = poseAt(view_.cameras, view_.cameras[0].time);
     key_ = lightDirection(pose, -50, 42);
     fill_ = lightDirection(pose, 65, 18);
@@ -230,15 +234,38 @@ float Renderer::pixelAt(const CameraPose& pose) const {
 void Renderer::drawBackdrop(const glm::mat4& camera, const CameraPose& pose) {
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);
-    backdrop_.use();
-    setStage(backdrop_, pose);
-    backdrop_.set("unproject", glm::inverse(camera));
-    const float size = static_cast<float>(view_.groundSize);
-    backdrop_.set("ground", glm::vec3(view_.groundHeight, 1.2f * size, 3.5f * size));
-    backdrop_.set("groundColor", glm::vec3(0.254f, 0.216f, 0.188f));
-    backdrop_.set("groundCenter", glm::vec2(view_.glowCenter.x, view_.glowCenter.z));
-    drawScreen(empty_);
+    glEnable(GL_SCISSOR_TEST);
+    const int rows = view_.ground ? groundRows(camera, pose) : 0;
+    if (rows > 0) drawRows(ground_, 0, rows, camera, pose);
+    if (rows < options_.height) drawRows(backdrop_, rows, options_.height, camera, pose);
+    glDisable(GL_SCISSOR_TEST);
     glDepthMask(GL_TRUE);
+}
+
+// Rows from the bottom below which all of the ground lies.
+int Renderer::groundRows(const glm::mat4& camera, const CameraPose& pose) const {
+    const glm::vec3 forward = pose.forward();
+    const float level = std::hypot(forward.x, forward.z);
+    if (level < 0.1f) return options_.height;
+    const auto reach = static_cast<float>(groundReach * view_.groundSize);
+    const glm::vec3 rim = toGlm(view_.glowCenter) + reach / level * forward;
+    const glm::vec4 seen = camera * glm::vec4(rim.x, view_.groundHeight, rim.z, 1);
+    if (seen.w <= 0) return 0;
+    const float height = (0.5f + 0.5f * seen.y / seen.w) * static_cast<float>(options_.height);
+    return std::clamp(static_cast<int>(std::ceil(height)) + 1, 0, options_.height);
+}
+
+void Renderer::drawRows(const Program& program, int first, int last, const glm::mat4& camera,
+                        const CameraPose& pose) {
+    glScissor(0, first, options_.width, last - first);
+    program.use();
+    setStage(program, pose);
+    program.set("unproject", glm::inverse(camera));
+    const float size = static_cast<float>(view_.groundSize);
+    program.set("ground", glm::vec3(view_.groundHeight, 1.2f * size, groundReach * size));
+    program.set("groundColor", glm::vec3(0.254f, 0.216f, 0.188f));
+    program.set("groundCenter", glm::vec2(view_.glowCenter.x, view_.glowCenter.z));
+    drawScreen(empty_);
 }
 
 void Renderer::setStage(const Program& program, const CameraPose& pose) const {

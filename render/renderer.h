@@ -59,6 +59,9 @@ private:
     const Program& surfaceProgram(std::size_t i, const CameraPose& pose, bool overlay);
     void drawCasters(const glm::mat4& matrix);
     void drawBackdrop(const glm::mat4& camera, const CameraPose& pose);
+    void drawRows(const Program& program, int first, int last, const glm::mat4& camera,
+                  const CameraPose& pose);
+    int groundRows(const glm::mat4& camera, const CameraPose& pose) const;
     void setStage(const Program& program, const CameraPose& pose) const;
 
     View view_;
@@ -67,7 +70,7 @@ private:
     std::vector<Skin> skins_;  // looks first, then props
     std::vector<GpuMesh> meshes_;
     std::map<std::string, Program> surfaces_;  // by #defines and family, made when first needed
-    Program depth_, backdrop_;
+    Program depth_, backdrop_, ground_;
     Texture weave_, plain_;
     ShadowMap keyShadow_, keyBlur_, skyShadow_;
     Target canvas_, resolved_;

@@ -1,6 +1,7 @@
 #include "scene.h"
 
 #include "basics.h"
+#include "flag.h"
 
 #include <stdexcept>
 
@@ -20,6 +21,24 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
          .ingredients = {"stretch", "gravity"},
          .omissions = {"air, bending: the reference has neither"},
          .build = hangingChain},
+        {.name = "flag",
+         .title = "Flag",
+         .lesson = "Threads solved whole, warp then weft, keep silk from stretching at any size",
+         .ingredients = {"stretch", "bend", "gravity", "air"},
+         .omissions = {"self-collision: folds may pass through each other",
+                       "the wake: the air acts on the flag and not the flag on the air"},
+         .demo = true,
+         .knobs = {{.name = "wind",
+                    .meaning = "its mean speed",
+                    .unit = "m/s",
+                    .value = 6,
+                    .low = 0,
+                    .high = 16},
+                   {.name = "weather",
+                    .meaning = "wind that calms, freshens and gusts, or always the same",
+                    .choices = {"changing", "steady"},
+                    .text = "changing"}},
+         .build = flag},
         {.name = "hanging-sheet",
          .title = "Hanging sheet",
          .lesson = "An inextensible sheet on two pins is the hardest easy scene",

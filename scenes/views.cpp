@@ -1,5 +1,8 @@
 #include "views.h"
 
+#include "constraints/constants.h"
+#include "elementary.h"
+
 namespace plait {
 
 Look lookOf(const Range& object, Material material, double radius) {
@@ -45,6 +48,24 @@ void addPeg(View& view, const Vec<double>& front, double radius) {
     view.props.push_back({side, Material::matte, slate});
     view.props.push_back(
         {disc({.rings = 8, .radius = radius}, {.origin = front}), Material::matte, slate});
+}
+
+Shape turned(const std::vector<std::array<double, 2>>& profile) {
+    constexpr int sides = 48;
+    Simplices simplices;
+    Shape shape;
+    for (int i = 0; i < static_cast<int>(profile.size()); ++i)
+        for (int k = 0; k < sides; ++k) {
+            const auto [radius, height] = profile[static_cast<std::size_t>(i)];
+            const double a = 2 * pi * k / sides;
+            shape.positions.push_back({radius * cosine(a), height, -radius * sine(a)});
+            if (i == 0) continue;
+            const int right = i * sides + k, left = i * sides + (k + 1) % sides;
+            simplices.triangles.push_back({right - sides, left - sides, left});
+            simplices.triangles.push_back({right - sides, left, right});
+        }
+    shape.complex = SimplicialComplex(static_cast<int>(shape.positions.size()), simplices);
+    return shape;
 }
 
 }  // namespace plait

@@ -22,4 +22,7 @@ void travel(View& view, const Vec<double>& velocity);
 // A round peg along z behind the point `front`.
 void addPeg(View& view, const Vec<double>& front, double radius);
 
+// A profile, radius and height (m) of each ring from below, turned around y.
+Shape turned(const std::vector<std::array<double, 2>>& profile);
+
 }  // namespace plait

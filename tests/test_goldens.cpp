@@ -24,7 +24,7 @@ RunFrame storedState(const std::string& scene) {
     return decodeFrame(readWhole(path), path.string());
 }
 
-// One scene's goldens, and what of them failed.
+// Holds one scene to its goldens; all failures so far stand on one page.
 void judge(const std::string& scene, std::vector<ComparisonEntry>& failures) {
     const Run run = goldenRun(scene);
     Renderer renderer(run.scene, goldenOptions);
@@ -37,7 +37,10 @@ void judge(const std::string& scene, std::vector<ComparisonEntry>& failures) {
         const Comparison comparison = compare(actual, golden);
         std::printf("    %-24s %s\n", (scene + " " + file).c_str(), describe(comparison).c_str());
         CHECK(passes(comparison, rule));
-        if (!passes(comparison, rule)) failures.push_back({scene + " " + file, actual, golden});
+        if (passes(comparison, rule)) return;
+        failures.push_back({scene + " " + file, actual, golden});
+        std::printf("    side by side: %s\n",
+                    writeComparisonPage(PLAIT_PAGES "/failed", failures).c_str());
     };
     hold("state.png", storedState(scene), tightRule);
     hold("frame.png", simulated(run, earlyFrame), earlyRule);
@@ -64,9 +67,6 @@ Scene recoloured(Scene scene) {
 TEST_CASE("every scene looks like its goldens", "[goldens]") {
     std::vector<ComparisonEntry> failures;
     for (const GoldenScene& golden : goldenScenes) judge(golden.name, failures);
-    if (!failures.empty())
-        std::printf("    side by side: %s\n",
-                    writeComparisonPage(PLAIT_PAGES "/failed", failures).c_str());
 }
 
 TEST_CASE("every golden is of a scene that is listed", "[goldens]") {
@@ -79,13 +79,14 @@ TEST_CASE("every golden is of a scene that is listed", "[goldens]") {
 }
 
 TEST_CASE("a doctored picture of a scene does not pass for its golden", "[goldens]") {
-    for (const GoldenScene& scene : goldenScenes) {
-        const Run run = goldenRun(scene.name);
-        const RunFrame state = storedState(scene.name);
-        const Picture golden = goldenPicture(goldenFolder(PLAIT_ROOT, scene.name) / "state.png");
+    // The thinnest, the smallest and the largest: the others lie between them.
+    for (const std::string scene : {"chain", "pendulum", "hanging-sheet"}) {
+        const Run run = goldenRun(scene);
+        const RunFrame state = storedState(scene);
+        const Picture golden = goldenPicture(goldenFolder(PLAIT_ROOT, scene) / "state.png");
         const auto rejected = [&](const char* what, const Picture& doctored, bool early = true) {
             const Comparison c = compare(doctored, golden);
-            std::printf("    %-32s %s\n", (scene.name + ", " + what).c_str(), describe(c).c_str());
+            std::printf("    %-32s %s\n", (scene + ", " + what).c_str(), describe(c).c_str());
             return !passes(c, tightRule) && !(early && passes(c, earlyRule));
         };
         Renderer renderer(run.scene, goldenOptions);

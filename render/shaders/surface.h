@@ -3,8 +3,8 @@
 
 namespace plait {
 
-// Follows stageShader and, for cloth, clothLightShader. What changes slowly, shadow and openness, is
-// looked up by vertex: a pixel of a fine mesh is shaded several times over, once for each small
+// Follows stageShader and, for cloth, clothLightShader. What changes slowly, shadow and openness,
+// is looked up by vertex: a pixel of a fine mesh is shaded several times over, once for each small
 // triangle that touches its block. Where all triangles are small, light as a whole is (SMALL), for
 // both sides: which one is seen is known by pixel only.
 inline constexpr const char* surfaceVertexShader = R"glsl(
