@@ -189,7 +189,8 @@ std::uint64_t Solver<Real>::hash() const {
     std::uint64_t hash = hashSeed;
     for (const Particle<Real>& p : state_.particles)
         if (!isFinite(p.x) || !isFinite(p.d)) throw std::logic_error("hash of a state not finite");
-    for (const auto* array : {&state_.velocity, &state_.before, &state_.last, &state_.lastVelocity})
+    for (const auto* array :
+         {&state_.velocity, &state_.before, &state_.last, &state_.lastVelocity, &state_.air})
         for (const Padded<Real>& p : *array)
             if (!isFinite(p.v)) throw std::logic_error("hash of a state not finite");
     hash = hashOf(std::span<const Particle<Real>>(state_.particles), hash);
@@ -198,6 +199,8 @@ std::uint64_t Solver<Real>::hash() const {
         hash = hashOf(std::span<const Padded<Real>>(state_.last), hash);
         hash = hashOf(std::span<const Padded<Real>>(state_.lastVelocity), hash);
     }
+    // How the sheet stood in the last substep decides what its air takes in the next.
+    if (state_.hasAir) hash = hashOf(std::span<const Padded<Real>>(state_.air), hash);
     return hash;
 }
 

@@ -3,6 +3,8 @@
 #include "ways.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace plait {
 namespace {
@@ -80,6 +82,9 @@ std::vector<int> pointStencils(Range range) {
 
 Rows<Tether> tetherRows(const SimplicialComplex& complex, Range range,
                         std::span<const Vec<double>> rest, std::span<const int> anchors) {
+    for (const int v : anchors)
+        if (v < 0 || v >= complex.count(0))
+            throw std::invalid_argument("tethers: there is no vertex " + std::to_string(v));
     std::vector<Link> links;
     const std::vector<int> edges = edgeStencils(complex, range);
     for (std::size_t e = 0; e < edges.size(); e += 2)

@@ -21,7 +21,8 @@ std::vector<int> pointStencils(Range range);                                    
 
 // The furthest that any way along the edges of `range` lets each vertex be from the nearest of
 // `anchors`: what an inextensible sheet holds anyway, said at once. Vertices that no way leads to
-// get no row, nor do the anchors. Distances are those of `rest`.
+// get no row, nor do the anchors, which are to stay where `rest` has them. Throws
+// std::invalid_argument for an anchor that is not there.
 Rows<Tether> tetherRows(const SimplicialComplex& complex, Range range,
                         std::span<const Vec<double>> rest, std::span<const int> anchors);
 

@@ -7,7 +7,7 @@
 namespace plait {
 
 // blockSize strands side by side: number m of link k of strand n is at (k * members + m) * 16 + n.
-// Shorter ones end in links of length 0 on the padding vertex.
+// Shorter ones end in links of length 0 on their last vertex.
 template <class Real>
 struct StrandBlock {
     const int* ids;    // links + 1 vertices a strand

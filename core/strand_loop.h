@@ -30,6 +30,11 @@ Response<T, inAir> responseOf(const Sweep<Scalar<T>>& sweep, const int* ids, T w
     return response;
 }
 
+// A pivot below this part of its link's own weight is rounding: the links before fix the link
+// already (a straight strand between two pins, two pinned ends), and its multiplier stays.
+template <class T>
+inline constexpr double redundant = sizeof(Scalar<T>) == 4 ? 1e-5 : 1e-12;
+
 // C, or by how much its rate is to fall.
 template <class T, Pass pass>
 T residualOf(const Sweep<Scalar<T>>& sweep, const int* from, const Vec<T>& along, T c) {
@@ -56,11 +61,12 @@ void factor(const Sweep<Scalar<T>>& sweep, const StrandBlock<Scalar<T>>& block, 
 
         const Vec<T> pull = response.of(link.along);
         const T beside = -dot(last.along, pull);
-        const T own = dot(link.along, pull);
+        T weight = dot(link.along, pull);
         response = responseOf<T, inAir>(sweep, ids + blockSize, apart.w);
         link.factor = beside * inverse;
-        const T pivot = own + dot(link.along, response.of(link.along)) + a - beside * link.factor;
-        inverse = divide(T(1), pivot);
+        weight = weight + dot(link.along, response.of(link.along)) + a;
+        const T pivot = weight - beside * link.factor;
+        inverse = select(pivot > T(redundant<T>) * weight, divide(T(1), pivot), T(0));
         // `solved` of the last link is D^-1 times what L left of it, and beside = factor * D.
         link.solved = inverse * (-(c + a * lambda) - beside * last.solved);
         __builtin_memcpy(workOf(block, k, lane), &link, sizeof link);

@@ -4,7 +4,8 @@
 // hold it at any resolution; sweeps would need some N^2 of them.
 //
 // Unlike DirectSet it runs in the precision of the sweep and in lanes, and knows chains only; links
-// resist compression as they do extension.
+// resist compression as they do extension. Links without compliance that contradict each other (two
+// pins further apart than the strand is long) have no solution; give them compliance.
 #pragma once
 
 #include "constraint.h"
@@ -22,13 +23,15 @@ template <class Real>
 class StrandSet : public Constraint<Real> {
 public:
     // `rest` by vertex, m; one vertex more is a vertex without mass that nothing else uses. Throws
-    // std::invalid_argument for rows that move and for links that buckle.
+    // std::invalid_argument for rows that move and for links that buckle or do not act.
     StrandSet(const Rows<Stretch>& set, std::span<const Vec<double>> rest, KernelChoice choice)
         : kernels_(strandKernels<Real>(choice)), size_(set.size()) {
         if (set.animate) throw std::invalid_argument("strands: rest lengths cannot move");
         for (const auto& row : set.rows)
             if (row.compression != row.compliance)
                 throw std::invalid_argument("strands: links cannot buckle");
+            else if (row.compliance >= slack)
+                throw std::invalid_argument("strands: every link must act");
         const std::vector<Strand> strands = strandsOf(set.ids, rest);
         int colors = 0;
         for (const Strand& strand : strands) colors = std::max(colors, strand.color + 1);
@@ -70,8 +73,9 @@ private:
               work(strandWork * links * blockSize, 0) {
             for (std::size_t n = 0; n < strands.size(); ++n) {
                 const Strand& strand = *strands[n];
-                for (std::size_t v = 0; v < strand.vertices.size(); ++v)
-                    ids[v * blockSize + n] = strand.vertices[v];
+                for (int v = 0; v <= links; ++v)
+                    ids[v * blockSize + n] =
+                        strand.vertices[std::min<std::size_t>(v, strand.links.size())];
                 for (std::size_t k = 0; k < strand.links.size(); ++k) {
                     const auto& row = set.rows[strand.links[k]];
                     rows[2 * k * blockSize + n] = static_cast<Real>(row.rest);

@@ -2,7 +2,9 @@
 
 #include "measure/energy.h"
 #include "measure/geometry.h"
+#include "measure/intersections.h"
 #include "measure/strain.h"
+#include "stencils.h"
 
 #include <memory>
 
@@ -14,35 +16,52 @@ Metric metricOf(const std::string& name, const std::string& unit, Band band,
     return {name, unit, std::move(measure), band.low, band.high, band.from, false};
 }
 
-// Strain of the edges of a range, ready to be measured.
-std::function<StrainSummary(const Snapshot&)> strainOf(const World& world, Range range) {
+// Strain of links, two vertices each, ready to be measured.
+std::function<StrainSummary(const Snapshot&)> strainOf(const World& world,
+                                                       const std::vector<int>& links) {
     std::vector<std::array<int, 2>> edges;
     std::vector<double> rest;
-    for (int i = 0; i < world.complex.count(1); ++i) {
-        const auto edge = world.complex.edge(i);
-        const auto [a, b] = edge;
-        if (a < range.first || b < range.first || a >= range.last || b >= range.last) continue;
-        edges.push_back(edge);
-        rest.push_back(length(world.rest[static_cast<std::size_t>(b)] -
-                              world.rest[static_cast<std::size_t>(a)]));
+    for (std::size_t i = 0; i < links.size(); i += 2) {
+        edges.push_back({links[i], links[i + 1]});
+        rest.push_back(length(world.rest[static_cast<std::size_t>(links[i + 1])] -
+                              world.rest[static_cast<std::size_t>(links[i])]));
     }
     return [=](const Snapshot& at) { return summarizeStrain(at.positions, edges, rest); };
 }
 
 }  // namespace
 
-Metric greatestStrain(const World& world, Range range, Band band) {
-    const auto strain = strainOf(world, range);
+Metric greatestStrain(const World& world, const std::vector<int>& links, Band band) {
+    const auto strain = strainOf(world, links);
     Metric metric =
         metricOf("strain", "%", band, [=](const Snapshot& at) { return 100 * strain(at).maximum; });
     metric.caption = true;
     return metric;
 }
 
-Metric commonStrain(const World& world, Range range, Band band) {
-    const auto strain = strainOf(world, range);
+Metric commonStrain(const World& world, const std::vector<int>& links, Band band) {
+    const auto strain = strainOf(world, links);
     return metricOf("strain99", "%", band,
                     [=](const Snapshot& at) { return 100 * strain(at).percentile99; });
+}
+
+Metric greatestStrain(const World& world, Range range, Band band) {
+    return greatestStrain(world, edgeStencils(world.complex, range), band);
+}
+
+Metric commonStrain(const World& world, Range range, Band band) {
+    return commonStrain(world, edgeStencils(world.complex, range), band);
+}
+
+Metric selfIntersections(const World& world, Range range, Band band) {
+    std::vector<std::array<int, 3>> triangles;
+    for (int i = 0; i < world.complex.count(2); ++i) {
+        const auto& triangle = world.complex.triangle(i);
+        if (triangle[0] >= range.first && triangle[0] < range.last) triangles.push_back(triangle);
+    }
+    return metricOf("crossings", "", band, [=](const Snapshot& at) {
+        return static_cast<double>(countIntersections(at.positions, triangles));
+    });
 }
 
 Metric energyGain(const World& world, const Vec<double>& g, double scale, Band band) {

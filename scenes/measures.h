@@ -15,10 +15,15 @@ struct Band {
     double from = 0;  // s
 };
 
-// In %: the greatest extension of any edge of `range`; and what 99 % of them do not exceed, either
-// way. The world is read now and not kept, here and below.
+// In %: the greatest extension of any link (two vertices each), or edge of `range`; and what 99 %
+// of them do not exceed, either way. The world is read now and not kept, here and below.
+Metric greatestStrain(const World& world, const std::vector<int>& links, Band band);
+Metric commonStrain(const World& world, const std::vector<int>& links, Band band);
 Metric greatestStrain(const World& world, Range range, Band band);
 Metric commonStrain(const World& world, Range range, Band band);
+
+// Pairs of an edge and a triangle of the sheet `range` that go through each other.
+Metric selfIntersections(const World& world, Range range, Band band);
 
 // In % of `scale` (J): kinetic energy and that of gravity g, less what the world starts with.
 Metric energyGain(const World& world, const Vec<double>& g, double scale, Band band);

@@ -37,7 +37,10 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                    {.name = "weather",
                     .meaning = "wind that calms, freshens and gusts, or always the same",
                     .choices = {"changing", "steady"},
-                    .text = "changing"}},
+                    .text = "changing"},
+                   {.name = "mesh",
+                    .meaning =
+                        "OBJ or PLY file of a cloth to fly instead, in metres, hoist at its left"}},
          .build = flag},
         {.name = "hanging-sheet",
          .title = "Hanging sheet",

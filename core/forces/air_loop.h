@@ -45,11 +45,6 @@ template <class T, int corners>
 
 // The inertia m I + a A n n^T of a vertex, n its area-weighted normal, inverted: w I - q q^T.
 //
-// Where the sheet has turned since the last substep, velocity that lay in it may now lie across it,
-// and air that was at rest moves. What that takes, the velocity along the normal gives, so that the
-// energy of sheet and air stays; it would grow from nowhere otherwise, and wildly at a flag's free
-// end. Air that comes to rest keeps what it had, as it does in a wake.
-//
 // Where the sheet has turned since the last substep, a velocity that lay in it may now lie across
 // it, and air that was at rest moves. What that takes comes out of the velocity along the normal,
 // so that the energy of sheet and air stays; otherwise a flag grows wild on energy from nowhere.
@@ -70,11 +65,13 @@ template <class T>
         const Vec<T> before = gather<T>(step.inertia, around.vertices + n, 4).xyz;
         scatter<T>(step.inertia, around.vertices + n, 4, {q, T(0)});
 
-        // |q|^2 / w is the air's part of the inertia along the normal.
+        // With u = n.v, (m + a A) u'^2 = m u^2 + a A (u before)^2; the air's part of the inertia
+        // along the normal is |q|^2 / w.
         const T q2 = dot(q, q), was2 = dot(before, before);
         const Vec<T> v = gather<T>(step.velocity, around.vertices + n, 4).xyz;
         const T was = dot(before, v), is = dot(q, v);
-        const T kept2 = T(1) - (T(1) - divide(was * was, is * is)) * divide(q2, w);
+        const T ratio2 = divide((was * was) * q2, (is * is) * was2);
+        const T kept2 = T(1) - (T(1) - ratio2) * divide(q2, w);
         const T part = select(kept2 < T(1), squareRoot(kept2) - T(1), T(0));
         const T change = select(was2 > T(0), part * divide(is, q2), T(0));
         scatterAdd<T>(step.velocity, around.vertices + n, 4, change * q);

@@ -27,8 +27,10 @@ void clothLight(vec3 v, vec3 n, vec3 tangent, float key, float hollow, float tur
     n = turned(n, v);
     vec2 perAlpha = inversesqrt(finish.yz * finish.yz + 2.0 * min(turn, .18));
     vec3 t = normalize(tangent), b = cross(n, t), keyLight = keyColor * key;
-    float nv = max(dot(n, v), .06), open = 1.0 / (1.0 + .05 * max(hollow, 0.0)), partly = .5 + .5 * open;
     float nk = dot(n, keyDirection), nr = dot(n, rimDirection), nf = dot(n, fillDirection);
+    // What hides the key light stands in the way of the others too; where it grazes, its map cannot tell.
+    float hidden = (1.0 - key) * smoothstep(.05, .4, abs(nk)), nv = max(dot(n, v), .06);
+    float open = (1.0 - .35 * hidden) / (1.0 + .06 * max(hollow, 0.0)), partly = .5 + .5 * open;
     vec3 hk = normalize(keyDirection + v), hr = normalize(rimDirection + v);
     diffuse = hemisphere(n) * open +
               (keyLight * wrapped(nk, wrap) + .6 * rimColor * wrapped(nr, wrap) +
