@@ -20,6 +20,15 @@ struct Graph {
     bool moves(int node) const { return mass[node] < infinity; }
 };
 
+// How many nodes there are to move; what no link joins counts for nothing.
+int moving(const Graph& graph) {
+    std::vector<bool> linked(graph.mass.size(), false);
+    for (const Link& link : graph.links) linked[link.a] = linked[link.b] = true;
+    int count = 0;
+    for (int n = 0; n < graph.size(); ++n) count += linked[n] && graph.moves(n);
+    return count;
+}
+
 // Numbers in the order of their first use.
 std::vector<int> renumbered(std::vector<int> label, int& count) {
     std::vector<int> number(label.size() * 2, -1);
@@ -66,16 +75,20 @@ std::vector<std::pair<int, int>> joined(const std::vector<Link>& links,
     return pairs;
 }
 
-// Masses, places and shares of the aggregates, without links.
+// Masses, places and shares of the aggregates, without links. One with pinned members is where they
+// are: nothing moves it.
 Graph merged(const Graph& fine, const std::vector<int>& parent, int count,
              std::vector<double>& share) {
     Graph coarse{std::vector<double>(count, 0), std::vector<Vec<double>>(count, {0, 0, 0}), {}};
     for (int n = 0; n < fine.size(); ++n)
         if (parent[n] >= 0) coarse.mass[parent[n]] += fine.mass[n];
     share.assign(fine.mass.size(), 0);
+    std::vector<int> pins(count, 0);
+    for (int n = 0; n < fine.size(); ++n)
+        if (parent[n] >= 0 && !fine.moves(n)) ++pins[parent[n]];
     for (int n = 0; n < fine.size(); ++n) {
         if (parent[n] < 0) continue;
-        share[n] = fine.moves(n) ? fine.mass[n] / coarse.mass[parent[n]] : 1;
+        share[n] = fine.moves(n) ? fine.mass[n] / coarse.mass[parent[n]] : 1.0 / pins[parent[n]];
         coarse.rest[parent[n]] += share[n] * fine.rest[n];
     }
     return coarse;
@@ -160,7 +173,7 @@ std::vector<Link> bounds(const Graph& fine, const std::vector<int>& parent,
     return links;
 }
 
-// Squares, or what comes near: pairs of pairs; but every pinned vertex by itself.
+// Squares, or what comes near: pairs of pairs.
 std::vector<int> quartered(const Graph& fine, int& count) {
     int pairs = 0;
     std::vector<int> parent = matched(fine.rest, fine.links, pairs);
@@ -176,7 +189,7 @@ std::vector<int> quartered(const Graph& fine, int& count) {
         if (parent[n] < 0) continue;
         // A pair without another pair beside it stays one.
         const int whole = quarter[parent[n]];
-        parent[n] = !fine.moves(n) ? fine.size() + n : whole >= 0 ? whole : count + parent[n];
+        parent[n] = whole >= 0 ? whole : count + parent[n];
     }
     return renumbered(std::move(parent), count);
 }
@@ -186,17 +199,14 @@ std::vector<int> quartered(const Graph& fine, int& count) {
 std::vector<AggregateLevel> aggregate(std::vector<double> mass, std::vector<Vec<double>> rest,
                                       std::vector<Link> links, int fewest) {
     Graph fine{std::move(mass), std::move(rest), std::move(links)};
-    const auto moving = [](const Graph& g) {
-        return std::count_if(g.mass.begin(), g.mass.end(), [](double m) { return m < infinity; });
-    };
     std::vector<AggregateLevel> levels;
     while (moving(fine) > fewest) {
         int count = 0;
         AggregateLevel level;
         level.parent = quartered(fine, count);
         Graph coarse = merged(fine, level.parent, count, level.share);
-        if (3 * moving(coarse) > 2 * moving(fine)) break;  // nothing left that merges
         coarse.links = bounds(fine, level.parent, level.share, coarse);
+        if (3 * moving(coarse) > 2 * moving(fine)) break;  // nothing left that merges
         level.mass = coarse.mass;
         level.links = coarse.links;
         levels.push_back(std::move(level));

@@ -18,14 +18,16 @@ namespace plait {
 
 struct AggregateLevel {
     std::vector<int> parent;    // by node of the finer level: its aggregate, -1 for none
-    std::vector<double> share;  // by node of the finer level: its part of the aggregate's mass
-    std::vector<double> mass;   // kg, by aggregate; infinite for a pinned vertex, alone in its own
+    std::vector<double> share;  // by node of the finer level: its part of the aggregate's mass; of
+                                // an aggregate with pinned members they alone have one
+    std::vector<double> mass;   // kg, by aggregate; infinite for one with a pinned member
     std::vector<Link> links;    // upper bounds
 };
 
 // Levels from fine to coarse, each of about a quarter of the nodes of the one before, until fewer
 // than `fewest` that move are left. `mass` by vertex (infinite: pinned, kg), `rest` by vertex (m):
-// it decides only what merges. Vertices without a link are in no aggregate.
+// it decides only what merges. Vertices without a link are in no aggregate, and what stands in one
+// with a pinned vertex takes no coarse correction.
 std::vector<AggregateLevel> aggregate(std::vector<double> mass, std::vector<Vec<double>> rest,
                                       std::vector<Link> links, int fewest);
 

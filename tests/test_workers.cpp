@@ -1,0 +1,64 @@
+// Threads that run blocks, more of them than there are cores.
+#include "catch.h"
+#include "random.h"
+#include "workers.h"
+
+#include <chrono>
+#include <set>
+#include <vector>
+
+using namespace plait;
+using namespace plait::test;
+
+TEST_CASE("workers: every block once and done on return, whatever the threads", "[threads]") {
+    for (const int threads : {1, 2, 3, 8}) {
+        Workers workers(threads);
+        Random random(1);
+        std::vector<int> runs(200, 0), expected(200, 0);
+        int odd = 0, wrong = 0;
+        for (int round = 0; round < 25000; ++round) {
+            const int count = random.below(200), block = 1 + random.below(20);
+            workers.forBlocks(count, block, [&](int begin, int end) {
+                if (begin % block != 0 || (end % block != 0 && end != count)) wrong = 1;
+                for (int i = begin; i < end; ++i) ++runs[i];
+            });
+            for (int i = 0; i < count; ++i) odd += runs[i] != ++expected[i];
+        }
+        INFO(threads << " threads");
+        CHECK(odd == 0);
+        CHECK(wrong == 0);
+        CHECK(runs == expected);
+    }
+}
+
+TEST_CASE("workers: they come and go without a round, and after one", "[threads]") {
+    for (int round = 0; round < 200; ++round) {
+        Workers workers(4);
+        std::vector<int> runs(8, 0);
+        if (round % 2)
+            workers.forBlocks(8, 1, [&](int begin, int end) {
+                for (int i = begin; i < end; ++i) ++runs[i];
+            });
+        REQUIRE(runs == std::vector<int>(8, round % 2));
+    }
+}
+
+// Each thread takes up one run alone, so a body that lingers meets others.
+TEST_CASE("workers: others than the calling thread take part", "[threads]") {
+    Workers workers(2);
+    std::vector<std::thread::id> by(2);
+    bool others = false;
+    for (int round = 0; round < 10000 && !others; ++round) {
+        workers.forBlocks(2, 1, [&](int begin, int end) {
+            for (int i = begin; i < end; ++i) by[i] = std::this_thread::get_id();
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        });
+        REQUIRE(by[0] == std::this_thread::get_id());
+        others = by[1] != by[0];
+    }
+    CHECK(others);
+}
+
+TEST_CASE("workers: there is at least one", "[threads]") {
+    CHECK_THROWS_AS(Workers(0), std::invalid_argument);
+}
