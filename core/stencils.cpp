@@ -85,6 +85,8 @@ Rows<Tether> tetherRows(const SimplicialComplex& complex, Range range,
     for (const int v : anchors)
         if (v < 0 || v >= complex.count(0))
             throw std::invalid_argument("tethers: there is no vertex " + std::to_string(v));
+    // Where triangles are rigid the straight way holds as well, shorter by up to 1 / sqrt 2 in a
+    // grid; where they shear, as those of woven cloth do, this is all there is.
     std::vector<Link> links;
     const std::vector<int> edges = edgeStencils(complex, range);
     for (std::size_t e = 0; e < edges.size(); e += 2)

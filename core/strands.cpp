@@ -95,8 +95,9 @@ std::vector<Strand> strandsOf(std::span<const int> links, std::span<const Vec<do
         strands.push_back(std::move(strand));
     }
     // Long ones first, so that blocks of them are of nearly one length.
-    std::stable_sort(strands.begin(), strands.end(), [](const Strand& a, const Strand& b) {
-        return a.links.size() > b.links.size();
+    std::sort(strands.begin(), strands.end(), [](const Strand& a, const Strand& b) {
+        return a.links.size() != b.links.size() ? a.links.size() > b.links.size()
+                                                : a.links.front() < b.links.front();
     });
     color(strands, rest.size());
     return strands;

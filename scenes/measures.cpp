@@ -83,6 +83,12 @@ Metric height(const std::string& name, int vertex, Band band) {
     });
 }
 
+Metric sway(const std::string& name, int vertex, Band band) {
+    return metricOf(name, "m", band, [=](const Snapshot& at) {
+        return at.positions[static_cast<std::size_t>(vertex)].z;
+    });
+}
+
 Metric lowestHeight(Band band) {
     return metricOf("lowest", "m", band,
                     [](const Snapshot& at) { return lowestPoint(at.positions, {0, 1, 0}).y; });

@@ -28,8 +28,9 @@ Metric selfIntersections(const World& world, Range range, Band band);
 // In % of `scale` (J): kinetic energy and that of gravity g, less what the world starts with.
 Metric energyGain(const World& world, const Vec<double>& g, double scale, Band band);
 
-// In m.
+// In m: y of a vertex, and its z.
 Metric height(const std::string& name, int vertex, Band band);
+Metric sway(const std::string& name, int vertex, Band band);
 Metric lowestHeight(Band band);
 
 }  // namespace plait

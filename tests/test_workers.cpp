@@ -4,7 +4,7 @@
 #include "workers.h"
 
 #include <chrono>
-#include <set>
+#include <thread>
 #include <vector>
 
 using namespace plait;
@@ -43,20 +43,22 @@ TEST_CASE("workers: they come and go without a round, and after one", "[threads]
     }
 }
 
-// Each thread takes up one run alone, so a body that lingers meets others.
+// A body that lingers meets others, and is waited for.
 TEST_CASE("workers: others than the calling thread take part", "[threads]") {
     Workers workers(2);
-    std::vector<std::thread::id> by(2);
-    bool others = false;
-    for (int round = 0; round < 10000 && !others; ++round) {
+    const std::thread::id self = std::this_thread::get_id(), nobody;
+    int others = 0;
+    for (int round = 0; round < 10000 && others < 20; ++round) {
+        std::vector<std::thread::id> by(2, nobody);
         workers.forBlocks(2, 1, [&](int begin, int end) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(begin + 1));
             for (int i = begin; i < end; ++i) by[i] = std::this_thread::get_id();
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
         });
-        REQUIRE(by[0] == std::this_thread::get_id());
-        others = by[1] != by[0];
+        REQUIRE(by[0] == self);
+        REQUIRE(by[1] != nobody);
+        others += by[1] != self;
     }
-    CHECK(others);
+    CHECK(others == 20);
 }
 
 TEST_CASE("workers: there is at least one", "[threads]") {

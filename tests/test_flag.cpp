@@ -1,0 +1,229 @@
+// The flag: its threads keep their length, its energy comes from the wind, and how often one looks
+// at it changes nothing.
+#include "catch.h"
+#include "elementary.h"
+#include "measure/energy.h"
+#include "measure/strain.h"
+#include "report.h"
+#include "scene.h"
+#include "scratch_folder.h"
+#include "solver.h"
+
+#include <cmath>
+#include <complex>
+#include <fstream>
+
+using namespace plait;
+using plait::test::note;
+using plait::test::report;
+
+namespace {
+
+Scene flagOf(Quality quality, const std::map<std::string, double>& numbers = {},
+             const std::map<std::string, std::string>& texts = {}, int framesPerSecond = 24) {
+    const SceneEntry& entry = findScene("flag");
+    Knobs knobs = Knobs::defaults(entry.knobs, quality);
+    for (const auto& [name, value] : numbers) knobs.numbers[name] = value;
+    for (const auto& [name, value] : texts) knobs.texts[name] = value;
+    Scene scene = entry.build(knobs);
+    // A substep as long as it was, as the program does it.
+    ScheduleOptions& schedule = scene.options.schedule;
+    schedule.substeps = schedule.substeps * schedule.frameRate.frames / framesPerSecond;
+    schedule.frameRate = {framesPerSecond, 1};
+    scene.options.threads = quality == Quality::draft ? 1 : 2;
+    return scene;
+}
+
+Snapshot snapshotOf(const Solver<float>& solver, std::vector<Vec<double>>& x,
+                    std::vector<Vec<double>>& v, int frame) {
+    x = solver.positions();
+    v = solver.velocities();
+    return {x, v, solver.time(), frame};
+}
+
+// The greatest value of each metric with a band over `seconds`, as a part of its upper end.
+void requireBands(const Scene& scene, double seconds, const std::string& what) {
+    Solver<float> solver(scene.world, scene.options);
+    std::vector<double> most(scene.metrics.size(), 0);
+    std::vector<Vec<double>> x, v;
+    for (int frame = 1; solver.time() < seconds - 1e-9; ++frame) {
+        solver.frame();
+        const Snapshot at = snapshotOf(solver, x, v, frame);
+        for (std::size_t m = 0; m < most.size(); ++m)
+            if (std::isfinite(scene.metrics[m].high))
+                most[m] = std::max(most[m], scene.metrics[m].measure(at));
+    }
+    for (std::size_t m = 0; m < most.size(); ++m)
+        if (std::isfinite(scene.metrics[m].high))
+            CHECK(report(what + ", " + scene.metrics[m].name + ", %", most[m],
+                         scene.metrics[m].high));
+}
+
+struct Flapping {
+    double mean = 0, deviation = 0, frequency = 0;  // m, m, Hz
+};
+
+// Of the tip from `from` s on. The frequency is the middle of the spectrum (power by frequency), of
+// a series with a Hann window: a flag has no single one.
+Flapping flappingOf(const Scene& scene, double from, double seconds) {
+    const auto tip = std::find_if(scene.metrics.begin(), scene.metrics.end(),
+                                  [](const Metric& metric) { return metric.name == "tip"; });
+    Solver<float> solver(scene.world, scene.options);
+    std::vector<double> z;
+    std::vector<Vec<double>> x, v;
+    for (int frame = 1; solver.time() < seconds - 1e-9; ++frame) {
+        solver.frame();
+        if (solver.time() >= from) z.push_back(tip->measure(snapshotOf(solver, x, v, frame)));
+    }
+    Flapping flapping;
+    const auto n = static_cast<double>(z.size());
+    for (const double s : z) flapping.mean += s / n;
+    for (const double s : z) flapping.deviation += (s - flapping.mean) * (s - flapping.mean) / n;
+    flapping.deviation = std::sqrt(flapping.deviation);
+    const double step = 1.0 / scene.options.schedule.frameRate.frames, length = n * step;
+    double power = 0, moment = 0;
+    for (int k = 1; k < static_cast<int>(n) / 2; ++k) {
+        std::complex<double> sum = 0;
+        for (std::size_t i = 0; i < z.size(); ++i) {
+            const double phase = 2 * pi * (static_cast<double>(i) + 0.5) / n;
+            sum += (z[i] - flapping.mean) * (1 - std::cos(phase)) * std::polar(1.0, -k * phase);
+        }
+        power += std::norm(sum);
+        moment += std::norm(sum) * k / length;
+    }
+    flapping.frequency = moment / power;
+    return flapping;
+}
+
+// Of sheet and air, J: the inverse inertia of a vertex is w I - q q^T.
+double energyOf(const Solver<float>& solver, const World& world) {
+    double energy = 0;
+    const State<float>& state = solver.state();
+    for (std::size_t i = 0; i < world.mass.size(); ++i) {
+        if (world.pinned[i]) continue;
+        const Vec<float>&q = state.air[i].v, &u = state.velocity[i].v;
+        const Vec<double> v{u.x, u.y, u.z};
+        const double w = 1 / world.mass[i], qv = dot(Vec<double>{q.x, q.y, q.z}, v);
+        const double q2 = double(dot(q, q));
+        energy += 0.5 * (dot(v, v) / w + qv * qv / (w * (w - q2)));
+        energy += world.mass[i] * 9.81 * state.position(static_cast<int>(i)).y;
+    }
+    return energy;
+}
+
+}  // namespace
+
+TEST_CASE("flag: its threads keep their length", "[flag]") {
+    requireBands(flagOf(Quality::draft), 4, "draft");
+}
+
+TEST_CASE("flag: without wind its energy never grows", "[flag]") {
+    const Scene scene = flagOf(Quality::draft, {{"wind", 0}});
+    Solver<float> solver(scene.world, scene.options);
+    double least = energyOf(solver, scene.world), grown = 0;
+    const double start = least;
+    for (int frame = 0; frame < 96; ++frame) {
+        solver.frame();
+        const double energy = energyOf(solver, scene.world);
+        grown = std::max(grown, energy - least);
+        least = std::min(least, energy);
+    }
+    note("energy lost in 4 s, J", start - least);
+    REQUIRE(start - least > 0.3);  // it has fallen
+    REQUIRE(report("energy gained since it was least, part of what was lost",
+                   grown / (start - least), 1e-3));
+}
+
+TEST_CASE("flag: how often one looks changes no bit of it in steady wind", "[flag]") {
+    std::vector<std::uint64_t> hashes;
+    for (const int rate : {24, 30, 60}) {
+        const Scene scene = flagOf(Quality::draft, {}, {{"weather", "steady"}}, rate);
+        Solver<float> solver(scene.world, scene.options);
+        for (int frame = 0; frame < rate / 2; ++frame) solver.frame();
+        hashes.push_back(solver.hash());
+    }
+    REQUIRE(hashes[0] == hashes[1]);
+    REQUIRE(hashes[0] == hashes[2]);
+}
+
+TEST_CASE("flag: a cloth of the user's own flies instead", "[flag]") {
+    const test::ScratchFolder folder;
+    const std::filesystem::path file = folder / "pennant.obj";
+    {
+        std::ofstream out(file);  // a triangle that comes to a point, and is not of this size
+        constexpr int rings = 20;
+        for (int i = 0; i <= rings; ++i)
+            for (int j = 0; j <= rings - i; ++j)
+                out << "v " << 0.1 * i << ' ' << 0.05 * (j + 0.5 * i) << " 0\n";
+        const auto at = [](int i, int j) { return i * (rings + 1) - i * (i - 1) / 2 + j + 1; };
+        for (int i = 0; i < rings; ++i)
+            for (int j = 0; j < rings - i; ++j) {
+                out << "f " << at(i, j) << ' ' << at(i + 1, j) << ' ' << at(i, j + 1) << '\n';
+                if (j > 0)
+                    out << "f " << at(i, j) << ' ' << at(i + 1, j - 1) << ' ' << at(i + 1, j)
+                        << '\n';
+            }
+    }
+    const Scene scene = flagOf(Quality::draft, {}, {{"mesh", file.string()}});
+    REQUIRE(scene.world.rest.size() == 231);
+    REQUIRE(std::count(scene.world.pinned.begin(), scene.world.pinned.end(), 1) == 21);
+    Solver<float> solver(scene.world, scene.options);
+    std::vector<Vec<double>> x, v;
+    double strain = 0;
+    for (int frame = 1; frame <= 48; ++frame) {
+        solver.frame();
+        strain = std::max(strain, scene.metrics[0].measure(snapshotOf(solver, x, v, frame)));
+    }
+    REQUIRE(report("pennant, strain, %", strain, 5));
+    REQUIRE(length(v[230]) > 0.01);  // it moves
+
+    std::ofstream(folder / "points.obj") << "v 0 0 0\nv 1 0 0\nl 1 2\n";
+    REQUIRE_THROWS_WITH(flagOf(Quality::draft, {}, {{"mesh", (folder / "points.obj").string()}}),
+                        Catch::Matchers::EndsWith("no triangles in it"));
+}
+
+TEST_CASE("flag: it keeps its bands to the end, whatever the gusts", "[flag][long]") {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        Knobs knobs = Knobs::defaults(findScene("flag").knobs, Quality::draft);
+        knobs.seed = seed;
+        requireBands(findScene("flag").build(knobs), 10, "draft, seed " + std::to_string(seed));
+    }
+    requireBands(flagOf(Quality::preview), 10, "preview");
+}
+
+TEST_CASE("flag: hangs still without wind", "[flag][long]") {
+    const Scene scene = flagOf(Quality::draft, {{"wind", 0}});
+    Solver<float> solver(scene.world, scene.options);
+    while (solver.time() < 60) solver.frame();
+    double fastest = 0;
+    for (const Vec<double>& v : solver.velocities()) fastest = std::max(fastest, length(v));
+    REQUIRE(report("speed after a minute, m/s", fastest, 0.05));
+}
+
+TEST_CASE("flag: flaps faster in stronger wind", "[flag][long]") {
+    double last = 0, first = 0;
+    for (const double wind : {4.0, 5.7, 8.0, 11.3, 16.0}) {
+        const Flapping flapping = flappingOf(
+            flagOf(Quality::draft, {{"wind", wind}}, {{"weather", "steady"}}, 48), 4, 20);
+        note("at " + std::to_string(wind) + " m/s: frequency, Hz", flapping.frequency);
+        note("    deviation of the tip, m", flapping.deviation);
+        REQUIRE(flapping.frequency > last);
+        last = flapping.frequency;
+        if (first == 0) first = last;
+    }
+    const double slope = std::log(last / first) / std::log(16.0 / 4);
+    note("slope of log frequency on log wind", slope);
+    REQUIRE(slope > 0.7);
+    REQUIRE(slope < 1.7);
+}
+
+TEST_CASE("flag: the mesh hardly matters to its frequency", "[flag][long]") {
+    const auto of = [](Quality quality) {
+        return flappingOf(flagOf(quality, {}, {{"weather", "steady"}}), 4, 16).frequency;
+    };
+    const double preview = of(Quality::preview), final = of(Quality::final);
+    note("preview, Hz", preview);
+    note("final, Hz", final);
+    REQUIRE(preview < 24.0 / 4);
+    REQUIRE(report("final over preview - 1", std::fabs(final / preview - 1), 0.15));
+}
