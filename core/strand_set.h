@@ -40,9 +40,6 @@ public:
             for (const Strand& strand : strands)
                 if (strand.color == color) members.push_back(&strand);
             const int begin = static_cast<int>(blocks_.size());
-            lastColor_ = 0;
-            for (const Strand* strand : members)
-                lastColor_ += static_cast<long>(strand->links.size());
             for (std::size_t i = 0; i < members.size(); i += blockSize) {
                 const std::size_t count = std::min<std::size_t>(blockSize, members.size() - i);
                 blocks_.emplace_back(set, std::span(members).subspan(i, count),
@@ -56,17 +53,14 @@ public:
         for (Block& block : blocks_) std::fill(block.lambda.begin(), block.lambda.end(), Real(0));
     }
     void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override {
-        if (direction != Direction::backward)
-            for (const Color& color : colors_) run(kernels_.project, color, sweep, workers);
-        if (direction == Direction::forward) return;
-        for (std::size_t c = colors_.size() - (direction == Direction::turn); c-- > 0;)
-            run(kernels_.project, colors_[c], sweep, workers);
+        const bool back = direction == Direction::backward;
+        for (std::size_t c = 0; c < colors_.size(); ++c)
+            run(kernels_.project, colors_[back ? colors_.size() - 1 - c : c], sweep, workers);
     }
     void damp(const Sweep<Real>& sweep, Workers& workers) override {
         for (const Color& color : colors_) run(kernels_.damp, color, sweep, workers);
     }
     long size() const override { return size_; }
-    long turn() const override { return lastColor_; }
 
 private:
     // As in StrandBlock.
@@ -111,7 +105,7 @@ private:
     }
 
     const StrandTable<Real>& kernels_;
-    long size_, lastColor_ = 0;
+    long size_;
     std::vector<Block> blocks_;
     std::vector<Color> colors_;
 };

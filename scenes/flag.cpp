@@ -103,9 +103,9 @@ std::vector<int> weave(World& world, Range cloth, int columns) {
     }
     // A square cell sheared by an angle has its diagonal longer by that times its length / 2.
     for (auto& row : bias.rows) row.compliance = row.compression = 1 / (2 * shearStiffness);
-    world.strand(weft, {.name = "weft"});
-    world.constrain(bias, {.name = "bias", .order = 1});
-    world.strand(warp, {.name = "warp", .order = 2});
+    world.strand(warp, {.name = "warp"});
+    world.strand(weft, {.name = "weft", .order = 1});
+    world.constrain(bias, {.name = "bias", .order = 2});
     std::vector<int> threads = warp.ids;
     threads.insert(threads.end(), weft.ids.begin(), weft.ids.end());
     return threads;
@@ -191,7 +191,7 @@ Scene flag(const Knobs& knobs) {
     Scene scene;
     World& world = scene.world;
     const bool own = knobs.text("mesh").empty();
-    const int columns = knobs.byQuality(64, 128, 256), rows = knobs.byQuality(40, 80, 160);
+    const int columns = knobs.byQuality(62, 126, 254), rows = knobs.byQuality(40, 80, 160);
     const Shape shape = clothOf(knobs, columns, rows);
     Matter matter{.density = density};
     for (const Vec<double>& x : shape.positions) matter.start.push_back(flying(x));
@@ -204,7 +204,6 @@ Scene flag(const Knobs& knobs) {
     actAir(world, {.density = 1.2,
                    .drag = 1.2,
                    .tangentialDrag = 0.05,
-                   .lift = 0.1,
                    .addedMass = addedMass,
                    .wind = windOf(knobs)});
     const std::vector<int> threads = own ? weave(world, cloth, columns) : hold(world, cloth, hoist);
