@@ -11,9 +11,8 @@
 
 namespace plait {
 
-// How one evaluation runs. `turn` is forward and then backward, but that what would be swept twice
-// in a row is swept once: a second time would change nothing.
-enum class Direction { forward, backward, turn };
+// How one evaluation runs.
+enum class Direction { forward, backward };
 
 // Where in time a substep lies; targets move linearly within a frame (M 2.4).
 struct Substep {
@@ -32,10 +31,8 @@ public:
     virtual void begin(const Substep&, Workers&) {}
 
     // Every constraint of the set once; backward is exactly the reverse of forward. Corrections go
-    // to the d of sweep.particles. Only sets with a turn() are asked for Direction::turn.
+    // to the d of sweep.particles.
     virtual void project(const Sweep<Real>&, Direction, Workers&) = 0;
-    // How many constraints Direction::turn sweeps once instead of twice.
-    virtual long turn() const { return 0; }
     // Corrections are summed into sweep.out instead. Sets that cannot smooth do nothing.
     virtual void smooth(const Sweep<Real>&, Workers&) {}
     // Takes the part sweep.strength off the rate of C, in the velocities sweep.out.

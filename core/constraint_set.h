@@ -77,11 +77,9 @@ public:
     }
 
     void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override {
-        if (direction != Direction::backward)
-            for (const Color& color : colors_) run(kernels_.project, color, sweep, workers);
-        if (direction == Direction::forward) return;
-        for (std::size_t c = colors_.size() - (direction == Direction::turn); c-- > 0;)
-            run(kernels_.project, colors_[c], sweep, workers);
+        const bool back = direction == Direction::backward;
+        for (std::size_t c = 0; c < colors_.size(); ++c)
+            run(kernels_.project, colors_[back ? colors_.size() - 1 - c : c], sweep, workers);
     }
     void smooth(const Sweep<Real>& sweep, Workers& workers) override {
         for (const Color& color : colors_) run(kernels_.smooth, color, sweep, workers);
@@ -111,7 +109,6 @@ public:
     }
 
     long size() const override { return static_cast<long>(slot_.size()); }
-    long turn() const override { return lastColor_; }
 
     // Lagrange multiplier of constraint i of the set as given, of the substep last taken; force
     // along the gradient is multiplier / h^2.
@@ -155,7 +152,6 @@ private:
             if (color.empty()) continue;
             while (slot % blockSize) place(slot++, color.back(), padding, true);
             colors_.push_back({begin, slot});
-            lastColor_ = static_cast<long>(color.size());
         }
     }
 
@@ -203,7 +199,6 @@ private:
     std::vector<Block<Real, members>> rows_;
     std::vector<Lanes> lambda_, relax_;
     std::vector<Color> colors_;
-    long lastColor_ = 0;     // constraints in it
     std::vector<int> slot_;  // of each constraint, in the order given
 };
 

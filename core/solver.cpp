@@ -39,27 +39,12 @@ void Solver<Real>::sweepColumns() {
     const bool turn = options_.sweeps == Sweeps::alternating && state_.substep % 2 == 1;
     column_ = 0;
     for (const SubstepPlan::Column& column : plan_.columns) {
-        for (const auto sets : {plan_.constraints(column), plan_.contacts(column)})
-            if (options_.sweeps == Sweeps::palindrome)
-                palindrome(sets);
-            else
-                evaluate(sets, turn ? Direction::backward : Direction::forward);
+        for (const auto sets : {plan_.constraints(column), plan_.contacts(column)}) {
+            evaluate(sets, turn ? Direction::backward : Direction::forward);
+            if (options_.sweeps == Sweeps::palindrome) evaluate(sets, Direction::backward);
+        }
         ++column_;
     }
-}
-
-template <class Real>
-void Solver<Real>::palindrome(std::span<const int> sets) {
-    if (sets.empty()) return;
-    const auto before = sets.first(sets.size() - 1), last = sets.last(1);
-    evaluate(before, Direction::forward);
-    if (sets_[static_cast<std::size_t>(last[0])]->turn() > 0) {
-        evaluate(last, Direction::turn);
-    } else {
-        evaluate(last, Direction::forward);
-        evaluate(last, Direction::backward);
-    }
-    evaluate(before, Direction::backward);
 }
 
 template <class Real>
@@ -71,7 +56,7 @@ void Solver<Real>::evaluate(std::span<const int> sets, Direction direction) {
         const int s = sets[back ? sets.size() - 1 - i : i];
         Constraint<Real>& set = *sets_[static_cast<std::size_t>(s)];
         set.project(sweepOf(s), direction, workers_);
-        evaluations_ += direction == Direction::turn ? 2 * set.size() - set.turn() : set.size();
+        evaluations_ += set.size();
         if (noted) log->push_back({state_.substep, column_, s});
         if (blaming_) blame(setOptions_[static_cast<std::size_t>(s)].name);
     }

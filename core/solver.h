@@ -67,7 +67,6 @@ private:
     void movePins(double frameFraction);
     void beginSets(double frameFraction);
     void sweepColumns();
-    void palindrome(std::span<const int> sets);
     void evaluate(std::span<const int> sets, Direction direction);
     void smooth();
     void updateVelocities(bool second);

@@ -87,7 +87,8 @@ struct Pictures::Work {
         const std::string words = textOf(wordsOf(options));
         if (options.keep && fs::exists(settings) && readWhole(settings) == words) return;
         fs::remove_all(into);
-        for (const char* name : {"clip.mp4", "contact.png"}) fs::remove(folder.path() / name);
+        for (const char* name : {"clip.mp4", "clip.webp", "contact.png"})
+            fs::remove(folder.path() / name);
         makeFolder(into);
         writeWhole(settings, words);
     }
@@ -198,8 +199,13 @@ Picture Pictures::Work::finished(const Drawn& drawn) const {
 
 void Pictures::Work::encode() {
     const FrameRate rate = run.scene.options.schedule.frameRate;
-    VideoWriter video(folder.path() / "clip.mp4", options.width, options.height,
-                      {rate.frames, rate.seconds});
+    const auto writer = [&](const char* name) {
+        return std::make_unique<VideoWriter>(folder.path() / name, options.width, options.height,
+                                             FrameRate{rate.frames, rate.seconds});
+    };
+    std::vector<std::unique_ptr<VideoWriter>> videos;
+    videos.push_back(writer("clip.mp4"));
+    if (options.webp) videos.push_back(writer("clip.webp"));
     const std::vector<int> chosen = sheetFrames(options.last - options.first + 1);
     std::vector<SheetFrame> sheet;
     while (std::optional<Drawn> drawn = pictures.pop()) {
@@ -207,14 +213,14 @@ void Pictures::Work::encode() {
         const int number = drawn->frame.number;
         if (drawn->fresh) drawn->picture = finished(*drawn);
         if (drawn->fresh) writePng(folder.picturePath(number), drawn->picture);
-        video.add(drawn->picture);
+        for (const auto& video : videos) video->add(drawn->picture);
         if (std::find(chosen.begin(), chosen.end(), number - options.first) != chosen.end())
             sheet.push_back({std::move(drawn->picture), drawn->frame.time});
         note(encoding, begin);
         done = number;
     }
     if (stopped) return;
-    video.finish();
+    for (const auto& video : videos) video->finish();
     writePng(folder.path() / "contact.png", contactSheet(sheet, run.entry->title));
     ended = true;
 }

@@ -25,6 +25,7 @@ struct PictureOptions {
     int first = 1, last = 1;       // frames that are drawn
     std::string overlay = "none";  // overlayNames()
     bool caption = true;
+    bool webp = false;  // clip.webp as well, an animation that loops
     std::string gl = "auto";
     std::optional<FixedCamera> camera;
     bool keep = false;  // pictures that are there already, of the same options

@@ -95,6 +95,7 @@ std::vector<Option> pictureOptions() {
             {"camera", "X,Y,Z:X,Y,Z[:MM]", "that stands: eye, target, focal length"},
             {"overlay", overlays, "colours by a quantity, with a legend"},
             {"no-caption", "", "without the strip at the bottom"},
+            {"webp", "", "clip.webp as well, an animation that loops"},
             {"gl", "auto|osmesa|egl", "what draws"}};
 }
 
@@ -110,6 +111,7 @@ PictureOptions requestedPictures(const Arguments& arguments, const Run& run) {
     options.overlay = arguments.value("overlay", "none");
     parseChoice("--overlay", options.overlay, overlayNames());
     options.caption = !arguments.has("no-caption");
+    options.webp = arguments.has("webp");
     options.gl = arguments.value("gl", "auto");
     parseChoice("--gl", options.gl, {"auto", "osmesa", "egl"});
     return options;

@@ -78,7 +78,8 @@ TEST_CASE("every command has its help", "[program]") {
           "--direction",   "--schedule", "--integrator", "--precision", "--threads",
           "--seed",        "--fps",      "--seconds",    "--frames",    "--size",
           "--camera",      "--overlay",  "--no-caption", "--no-render", "--export",
-          "--gl",          "--out",      "--resume",     "--force",     "--quiet"})
+          "--gl",          "--webp",     "--out",        "--resume",    "--force",
+          "--quiet"})
         CHECK(contains(run.out, option));
 }
 

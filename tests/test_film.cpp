@@ -79,9 +79,11 @@ TEST_CASE("a film: pictures, clip and contact sheet, again from the cache, and c
     CHECK(contains(other.out, "DIFFERENT"));
 
     // Others of the same run: an overlay, and some frames alone.
-    REQUIRE(plait::test::plait(folder, {"render", (folder / "again").string(), "--size", "160x90",
-                                        "--overlay", "strain", "--frames", "4:6", "--quiet"})
-                .status == 0);
+    REQUIRE(
+        plait::test::plait(folder, {"render", (folder / "again").string(), "--size", "160x90",
+                                    "--overlay", "strain", "--frames", "4:6", "--webp", "--quiet"})
+            .status == 0);
+    CHECK(fs::exists(folder / "again/clip.webp"));
     CHECK_FALSE(fs::exists(folder / "again/frames/00003.png"));
     CHECK(fs::exists(folder / "again/frames/00006.png"));
     const bool same5 = contents(folder / "again/frames/00005.png") == contents(picture(5));
