@@ -92,10 +92,10 @@ struct World {
     void constrain(Recipe<Constraint> recipe, SetOptions options, bool contact = false);
 
     // These links strung to strands, each solved at once, in lanes (strand_set.h).
-    void strand(const Rows<Stretch>& links, SetOptions options);
+    void strand(const Rows<Stretch>& set, SetOptions options);
     // Coarse levels of these links (aggregate_set.h), down to `fewest` aggregates that move. Links
     // count as rigid, whatever their compliance.
-    void aggregate(const Rows<Stretch>& links, SetOptions options, int fewest = 16);
+    void aggregate(const Rows<Stretch>& set, SetOptions options, int fewest = 16);
 
     // F<Real> is a Force<Real> made from (World, options), or, where it has kernels of its own,
     // from (World, options, KernelChoice).
