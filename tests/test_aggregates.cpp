@@ -361,7 +361,7 @@ TEST_CASE("aggregates and tethers hold a sheet of 32 x 32", "[aggregates]") {
     const Outcome tied = hang<float>({.n = 32, .substeps = 20, .coarse = false});
     const Outcome both = hang<float>({.n = 32, .substeps = 20});
     CHECK(plain.mean > 0.1);
-    CHECK(tied.mean > 1.5 * both.mean);
+    CHECK(tied.mean > 1.2 * both.mean);  // alike if aggregates did nothing; the more, the finer
     CHECK(both.mean < 0.01);
 }
 
