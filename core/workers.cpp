@@ -77,8 +77,8 @@ void Workers::serve(int thread) {
     std::atomic<unsigned>& done = shares_[static_cast<std::size_t>(thread)].done;
     for (unsigned seen = 0;;) {
         await(round_, seen);
-        if (stop_) return;
         seen = round_.load(std::memory_order_acquire);
+        if (stop_) return;  // asked after the round was read, or the last round could be missed
         if (!claim(thread, seen)) continue;
         share(thread);
         done.store(seen, std::memory_order_release);
