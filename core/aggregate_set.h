@@ -13,9 +13,8 @@
 
 #include "aggregates.h"
 #include "constraint_set.h"
+#include "csr.h"
 
-#include <algorithm>
-#include <limits>
 #include <memory>
 
 namespace plait {
@@ -51,6 +50,12 @@ public:
         }
     }
 
+    // Coarse levels speed up what other sets say.
+    bool terms(const State<Real>&, bool, Terms<Real>& out) const override {
+        out.resize(0, 2, false);
+        return true;
+    }
+
     long size() const override {
         long links = 0;
         for (const Level& level : levels_) links += level.set->size();
@@ -62,20 +67,19 @@ private:
 
     struct Level {
         Level(const AggregateLevel& level, KernelChoice choice)
-            : parent(level.parent),
-              start(level.mass.size() + 1, 0),
-              particles(level.mass.size() + 1),
-              before(level.mass.size() + 1) {
-            for (const int p : parent)
-                if (p >= 0) ++start[p + 1];
-            for (std::size_t a = 1; a < start.size(); ++a) start[a] += start[a - 1];
-            members.resize(start.back());
-            share.resize(start.back());
-            std::vector<int> end(start.begin(), start.end() - 1);
-            for (std::size_t n = 0; n < parent.size(); ++n) {
-                if (parent[n] < 0) continue;
-                const int at = end[parent[n]]++;
-                members[at] = static_cast<int>(n);
+            : particles(level.mass.size() + 1), before(level.mass.size() + 1) {
+            members.start.assign(level.mass.size() + 1, 0);
+            for (const int p : level.parent)
+                if (p >= 0) ++members.start[p + 1];
+            for (std::size_t a = 1; a < members.start.size(); ++a)
+                members.start[a] += members.start[a - 1];
+            members.item.resize(members.start.back());
+            share.resize(members.item.size());
+            std::vector<int> end(members.start.begin(), members.start.end() - 1);
+            for (std::size_t n = 0; n < level.parent.size(); ++n) {
+                if (level.parent[n] < 0) continue;
+                const int at = end[level.parent[n]]++;
+                members.item[at] = static_cast<int>(n);
                 share[at] = static_cast<Real>(level.share[n]);
             }
             for (std::size_t a = 0; a < level.mass.size(); ++a)
@@ -89,24 +93,23 @@ private:
                 rows, static_cast<int>(level.mass.size()), choice);
         }
 
-        int size() const { return static_cast<int>(start.size()) - 1; }
-
         // x, once a substep: near where d will be measured from.
         void place(const Particle<Real>* finer) {
-            for (int a = 0; a < size(); ++a) {
+            for (int a = 0; a < members.size(); ++a) {
                 Vec<Real> x{0, 0, 0};
-                for (int m = start[a]; m < start[a + 1]; ++m) x += share[m] * finer[members[m]].x;
+                for (int m = members.start[a]; m < members.start[a + 1]; ++m)
+                    x += share[m] * finer[members.item[m]].x;
                 particles[a].x = x;
             }
         }
 
         void average(const Particle<Real>* finer, Workers& workers) {
-            workers.forBlocks(size(), grain, [&](int begin, int end) {
+            workers.forBlocks(members.size(), grain, [&](int begin, int end) {
                 for (int a = begin; a < end; ++a) {
                     Particle<Real>& p = particles[a];
                     p.d = {0, 0, 0};
-                    for (int m = start[a]; m < start[a + 1]; ++m) {
-                        const Particle<Real>& q = finer[members[m]];
+                    for (int m = members.start[a]; m < members.start[a + 1]; ++m) {
+                        const Particle<Real>& q = finer[members.item[m]];
                         p.d += share[m] * ((q.x - p.x) + q.d);
                     }
                     before[a] = p.d;
@@ -122,26 +125,26 @@ private:
         }
 
         void handDown(Particle<Real>* finer, const Real* air, Workers& workers) {
-            workers.forBlocks(size(), grain, [&](int begin, int end) {
+            workers.forBlocks(members.size(), grain, [&](int begin, int end) {
                 for (int a = begin; a < end; ++a) {
                     const Vec<Real> change = particles[a].d - before[a];
                     if (change == Vec<Real>{0, 0, 0}) continue;
-                    for (int m = start[a]; m < start[a + 1]; ++m) {
-                        Particle<Real>& p = finer[members[m]];
+                    for (int m = members.start[a]; m < members.start[a + 1]; ++m) {
+                        Particle<Real>& p = finer[members.item[m]];
                         p.d += change;
                         if (!air) continue;
-                        const Vec<Real> q{air[4 * members[m]], air[4 * members[m] + 1],
-                                          air[4 * members[m] + 2]};
+                        const Real* const at = air + 4 * members.item[m];
+                        const Vec<Real> q{at[0], at[1], at[2]};
                         p.d -= divide(dot(q, change), p.w) * q;  // W of the air over w
                     }
                 }
             });
         }
 
-        std::vector<int> parent, start, members;  // members by aggregate, as in Csr
-        std::vector<Real> share;                  // by place in `members`
-        std::vector<Particle<Real>> particles;    // the last one is for padding
-        std::vector<Vec<Real>> before;            // d when the level was averaged
+        Csr members;                            // by aggregate: nodes of the finer level
+        std::vector<Real> share;                // by place in members.item
+        std::vector<Particle<Real>> particles;  // the last one is for padding
+        std::vector<Vec<Real>> before;          // d when the level was averaged
         std::unique_ptr<ConstraintSet<Stretch, Real>> set;
     };
 

@@ -5,6 +5,7 @@
 
 #include "kernels.h"
 #include "state.h"
+#include "terms.h"
 #include "workers.h"
 
 #include <string>
@@ -44,6 +45,10 @@ public:
 
     // Marks the vertices that a one-sided constraint pushed in this substep.
     virtual void markTouched(std::vector<std::uint8_t>& /*touched*/) const {}
+
+    // The set at the positions of `state`, with second derivatives where `curved`: what methods
+    // other than sweeps are made of. Of the rows of the last begin(). False: it has no such form.
+    virtual bool terms(const State<Real>&, bool /*curved*/, Terms<Real>&) const { return false; }
 
     // Constraints in the set: the counted work of a sweep.
     virtual long size() const = 0;

@@ -37,23 +37,6 @@ const KernelTable<Real>& kernelTable(KernelChoice choice) {
     }
 }
 
-// A row in the precision of a run.
-template <class Kind, class Real>
-typename Kind::template Row<Real> narrow(const typename Kind::template Row<double>& row) {
-    if constexpr (requires { Kind::template narrow<Real>(row); }) {
-        return Kind::template narrow<Real>(row);
-    } else {
-        constexpr int members = sizeof(row) / sizeof(double);
-        Stencil<double, members> from;
-        Stencil<Real, members> to;
-        __builtin_memcpy(&from, &row, sizeof row);
-        for (int m = 0; m < members; ++m) to[m] = static_cast<Real>(from[m]);
-        typename Kind::template Row<Real> narrowed;
-        __builtin_memcpy(&narrowed, &to, sizeof to);
-        return narrowed;
-    }
-}
-
 template <class Kind, class Real>
 class ConstraintSet : public Constraint<Real> {
 public:
@@ -106,6 +89,13 @@ public:
                 for (std::size_t a = 0; a < arity; ++a)
                     touched[static_cast<std::size_t>(set_.ids[i * arity + a])] |=
                         at(lambda_, slot_[i]) != Real(0);
+    }
+
+    bool terms(const State<Real>& state, bool curved, Terms<Real>& out) const override {
+        out.resize(static_cast<int>(slot_.size()), Kind::arity, curved);
+        for (std::size_t i = 0; i < slot_.size(); ++i)
+            setTerm<Kind>(out, static_cast<int>(i), &set_.ids[i * arity], read(slot_[i]), state);
+        return true;
     }
 
     long size() const override { return static_cast<long>(slot_.size()); }
@@ -179,6 +169,16 @@ private:
         auto& block = rows_[static_cast<std::size_t>(slot / blockSize)];
         for (std::size_t m = 0; m < members; ++m)
             block.member[m][slot % blockSize] = numbers[static_cast<int>(m)];
+    }
+
+    Row read(int slot) const {
+        Stencil<Real, static_cast<int>(members)> numbers;
+        const auto& block = rows_[static_cast<std::size_t>(slot / blockSize)];
+        for (std::size_t m = 0; m < members; ++m)
+            numbers[static_cast<int>(m)] = block.member[m][slot % blockSize];
+        Row row;
+        __builtin_memcpy(&row, &numbers, sizeof row);
+        return row;
     }
 
     void run(const Kernel<Real> (&kernels)[2], const Color& color, const Sweep<Real>& sweep,

@@ -23,7 +23,8 @@ public:
     // `pinned`, by vertex: 1 where the inverse mass is zero. Throws std::invalid_argument for the
     // first constraint that closes a cycle of vertices that move.
     DirectSet(const Rows<Kind>& set, std::span<const unsigned char> pinned)
-        : rows_(set.rows),
+        : ids_(set.ids),
+          rows_(set.rows),
           moving_(set),
           forest_(forestOf(set.ids, pinned)),
           nodes_(forest_.nodes.size()),
@@ -78,6 +79,14 @@ public:
             solveTree(nodes_, begin, end);
             move(sweep.out, 4, double(sweep.strength), begin, end);
         });
+    }
+
+    bool terms(const State<Real>& state, bool curved, Terms<Real>& out) const override {
+        out.resize(static_cast<int>(rows_.size()), 2, curved);
+        for (std::size_t i = 0; i < rows_.size(); ++i)
+            setTerm<Kind>(out, static_cast<int>(i), &ids_[2 * i], narrow<Kind, Real>(rows_[i]),
+                          state);
+        return true;
     }
 
     long size() const override { return static_cast<long>(rows_.size()); }
@@ -177,6 +186,7 @@ private:
         }
     }
 
+    std::vector<int> ids_;
     std::vector<typename Kind::template Row<double>> rows_;
     MovingRows<Kind> moving_;
     Forest forest_;

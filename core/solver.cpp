@@ -21,8 +21,12 @@ void Solver<Real>::substep(double frameFraction) {
     predict(second);           // x <- x + h v, or (4 x - x1) / 3 + 2/3 h v
     movePins(frameFraction);   // x <- where the artist wants it
     beginSets(frameFraction);  // lambda <- 0
-    sweepColumns();            // x <- x + W J^T dlambda, set by set
-    smooth();
+    if (whole_) {
+        takeWhole();  // x <- where another method has it (methods/)
+    } else {
+        sweepColumns();  // x <- x + W J^T dlambda, set by set
+        smooth();
+    }
     updateVelocities(second);  // v <- (x - x1) / h, or (3 x - 4 x1 + x2) / 2 h
     dampRates();
     fold();  // X <- X + d, and what rounding leaves stays in d
@@ -45,6 +49,13 @@ void Solver<Real>::sweepColumns() {
         }
         ++column_;
     }
+}
+
+template <class Real>
+void Solver<Real>::takeWhole() {
+    WholeSubstep<Real> substep{state_, sets_, h_, implied_, workers_};
+    evaluations_ += whole_->take(substep);
+    if (blaming_) blame("the method");
 }
 
 template <class Real>

@@ -4,6 +4,7 @@
 
 #include "constraint.h"
 #include "forces/force.h"
+#include "methods/whole_step.h"
 #include "schedule.h"
 #include "solver_options.h"
 #include "state.h"
@@ -67,6 +68,7 @@ private:
     void movePins(double frameFraction);
     void beginSets(double frameFraction);
     void sweepColumns();
+    void takeWhole();
     void evaluate(std::span<const int> sets, Direction direction);
     void smooth();
     void updateVelocities(bool second);
@@ -90,6 +92,7 @@ private:
     std::vector<bool> isContact_;
     std::vector<std::unique_ptr<Constraint<Real>>> sets_;
     std::vector<std::unique_ptr<Force<Real>>> forces_;
+    std::unique_ptr<WholeStep<Real>> whole_;  // null: the method sweeps
     std::vector<Pins> pins_;
     std::vector<Padded<Real>> sums_;     // of corrections, for smoothing
     std::vector<std::uint8_t> touched_;  // by a one-sided constraint, for BDF2's fall-back

@@ -10,7 +10,7 @@
 
 namespace plait {
 
-enum class Method { xpbd, nucleus };
+enum class Method { xpbd, nucleus, symplectic };
 
 // The velocity rule: v = (x - x1) / h, or BDF2, v = (3 x - 4 x1 + x2) / 2 h with its own predictor
 // (Vellum's second order, V; validation A1). BDF2 wants a converged solve.

@@ -20,9 +20,9 @@ Vec<double> wide(const Vec<Real>& v) {
     return {double(v.x), double(v.y), double(v.z)};
 }
 
-// A vector with its padding in one register: what is done to all vertices alike takes a third of
-// the time. Divisions by h stay divisions: the rounding of an inverse would speed up or slow down a
-// free vertex by as much in every substep, by 5e-4 in 10,000 of them.
+// A vector with its padding in one register, since gcc's own way of pairing them is off (see
+// CMakeLists.txt). Divisions by h stay divisions: the rounding of an inverse would speed up or slow
+// down a free vertex by as much in every substep, by 5e-4 in 10,000 of them.
 template <class Real>
 struct FourOf {
     typedef Real V __attribute__((vector_size(4 * sizeof(Real))));
@@ -93,6 +93,12 @@ Solver<Real>::Solver(const World& world, const SolverOptions& options)
     setUpSets(world);
     for (const Recipe<Force>& force : world.forces)
         forces_.push_back(force.make<Real>(world, options.kernels));
+    std::vector<NamedSet<Real>> named;
+    for (std::size_t s = 0; s < sets_.size(); ++s)
+        named.push_back({world.sets[s].options.name, world.sets[s].contact, sets_[s].get()});
+    const bool inertia = std::any_of(forces_.begin(), forces_.end(),
+                                     [](const auto& force) { return force->hasInertia(); });
+    whole_ = makeWholeStep(options_, named, state_, inertia);
     start_ = state_;
 }
 
@@ -144,7 +150,7 @@ void Solver<Real>::setUpSets(const World& world) {
 
 template <class Real>
 void Solver<Real>::startVelocities(bool second) {
-    if (options_.integrator == Integrator::first && !options_.limitAcceleration) return;
+    if (options_.integrator == Integrator::first && !options_.limitAcceleration && !whole_) return;
     workers_.forBlocks(state_.count(), grain, [&](int begin, int end) {
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
             const Four<Real> v = four(state_.velocity[i].v), past = four(state_.lastVelocity[i].v);
@@ -187,6 +193,7 @@ void Solver<Real>::movePins(double f) {
 // past is damped as well: BDF2 would extrapolate the loss, and lose half as much again.
 template <class Real>
 void Solver<Real>::updateVelocities(bool second) {
+    if (whole_ && whole_->setsVelocities()) return;
     const bool bdf2 = options_.integrator == Integrator::bdf2;
     const bool fallsBack = second && std::isfinite(options_.maxAcceleration);
     if (fallsBack) {

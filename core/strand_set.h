@@ -25,7 +25,7 @@ public:
     // `rest` by vertex, m; one vertex more is a vertex without mass that nothing else uses. Throws
     // std::invalid_argument for rows that move and for links that buckle or do not act.
     StrandSet(const Rows<Stretch>& set, std::span<const Vec<double>> rest, KernelChoice choice)
-        : kernels_(strandKernels<Real>(choice)), size_(set.size()) {
+        : kernels_(strandKernels<Real>(choice)), set_(set) {
         if (set.animate) throw std::invalid_argument("strands: rest lengths cannot move");
         for (const auto& row : set.rows)
             if (row.compression != row.compliance)
@@ -60,7 +60,13 @@ public:
     void damp(const Sweep<Real>& sweep, Workers& workers) override {
         for (const Color& color : colors_) run(kernels_.damp, color, sweep, workers);
     }
-    long size() const override { return size_; }
+    bool terms(const State<Real>& state, bool curved, Terms<Real>& out) const override {
+        out.resize(set_.size(), 2, curved);
+        for (int i = 0; i < set_.size(); ++i)
+            setTerm<Stretch>(out, i, &set_.ids[2 * i], narrow<Stretch, Real>(set_.rows[i]), state);
+        return true;
+    }
+    long size() const override { return set_.size(); }
 
 private:
     // As in StrandBlock.
@@ -105,7 +111,7 @@ private:
     }
 
     const StrandTable<Real>& kernels_;
-    long size_;
+    Rows<Stretch> set_;
     std::vector<Block> blocks_;
     std::vector<Color> colors_;
 };

@@ -72,7 +72,7 @@ const std::vector<Setting>& table() {
          [](Run& run, const std::string& word) {
              run.scene.seconds = parseNumber("--seconds", word, 0.001, 3600);
          }},
-        choice("method", {"xpbd", "nucleus"}, "how constraints are solved",
+        choice("method", {"xpbd", "nucleus", "symplectic"}, "how constraints are solved",
                [](auto& run) -> auto& { return run.scene.options.method; }),
         choice("integrator", {"first", "bdf2"}, "order of the velocity rule",
                [](auto& run) -> auto& { return run.scene.options.integrator; }),

@@ -4,6 +4,7 @@
 #include "image.h"
 #include "renderer.h"
 #include "report.h"
+#include "views.h"
 
 #include <cmath>
 #include <filesystem>
@@ -14,24 +15,6 @@ namespace {
 
 constexpr int columns = 126, rows = 79;
 constexpr double width = 1.92, height = 1.2;
-
-// Profile turned around the axis through x = z = 0, from below: radius and height of each ring.
-Shape turned(const std::vector<std::array<double, 2>>& profile) {
-    constexpr int sides = 48;
-    Simplices simplices;
-    Shape shape;
-    for (int i = 0; i < static_cast<int>(profile.size()); ++i)
-        for (int k = 0; k < sides; ++k) {
-            const double a = 2 * M_PI * k / sides, r = profile[i][0];
-            shape.positions.push_back({r * std::cos(a), profile[i][1], -r * std::sin(a)});
-            if (i == 0) continue;
-            const int right = i * sides + k, left = i * sides + (k + 1) % sides;
-            simplices.triangles.push_back({right - sides, left - sides, left});
-            simplices.triangles.push_back({right - sides, left, right});
-        }
-    shape.complex = SimplicialComplex(static_cast<int>(shape.positions.size()), simplices);
-    return shape;
-}
 
 Scene flagScene() {
     constexpr std::array brass{0.584, 0.305, 0.050}, steel{0.397, 0.445, 0.491};

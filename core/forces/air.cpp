@@ -100,7 +100,7 @@ AirStep<Real> Air<Real>::stepOf(State<Real>& state) const {
 
 template <class Real>
 void Air<Real>::prepare(State<Real>& state, Workers& workers) {
-    if (options_.addedMass > 0) state.hasAir = true;
+    if (hasInertia()) state.hasAir = true;
     const AirStep<Real> step = stepOf(state);
     for (std::size_t kind = 0; kind < 2; ++kind) {
         const FacetBlocks<Real> facets = skins_[kind].blocks();

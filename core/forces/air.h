@@ -76,6 +76,7 @@ public:
     Air(const World& world, const AirOptions& options, KernelChoice kernels = bestKernels());
 
     std::string name() const override { return "air"; }
+    bool hasInertia() const override { return options_.addedMass > 0; }
     void beginFrame(const State<Real>& state, double t0, double t1, Workers& workers) override;
     void prepare(State<Real>& state, Workers& workers) override;
     void apply(State<Real>& state, double t, double h, Workers& workers) override;

@@ -16,6 +16,9 @@ public:
     // The name that warnings and a divergence report use.
     virtual std::string name() const = 0;
 
+    // True: it writes state.air.
+    virtual bool hasInertia() const { return false; }
+
     // A frame begins, from time t0 to t1 (s): fields are evaluated here, once a frame (M 3.1.2)
     // [IN29].
     virtual void beginFrame(const State<Real>&, double /*t0*/, double /*t1*/, Workers&) {}

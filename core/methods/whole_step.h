@@ -1,0 +1,54 @@
+// A method that is not made of sweeps: between the prediction and the velocity rule it takes all
+// sets at once. The rest of the substep (forces, prediction, pins, velocity rule, damping) is the
+// solver's, the same for every method.
+#pragma once
+
+#include "../constraint.h"
+#include "../solver_options.h"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace plait {
+
+// What a method sees of a substep.
+template <class Real>
+struct WholeSubstep {
+    State<Real>& state;  // x + d: predicted; before: d when the substep began; velocity: after
+                         // forces; lastVelocity: before them
+    std::span<const std::unique_ptr<Constraint<Real>>> sets;
+    double h;        // s, the substep
+    double implied;  // s, what compliance sees: 2 h / 3 under BDF2 once it has a past
+    Workers& workers;
+};
+
+template <class Real>
+class WholeStep {
+public:
+    virtual ~WholeStep() = default;
+
+    // Leaves d where the substep ends. Returns the counted work, in constraints evaluated.
+    virtual long take(WholeSubstep<Real>& substep) = 0;
+    // True: it sets velocities as well, and the velocity rule is left out.
+    virtual bool setsVelocities() const { return false; }
+};
+
+// A set as such a method is told of it.
+template <class Real>
+struct NamedSet {
+    std::string name;
+    bool contact;
+    const Constraint<Real>* set;
+};
+
+// Null for methods that sweep. `state` is where the run starts. Throws std::invalid_argument that
+// says what the world has and the method has not: contacts, constraints without compliance, the
+// inertia of air, an integrator.
+template <class Real>
+std::unique_ptr<WholeStep<Real>> makeWholeStep(const SolverOptions& options,
+                                               const std::vector<NamedSet<Real>>& sets,
+                                               const State<Real>& state, bool airHasInertia);
+
+}  // namespace plait
