@@ -51,7 +51,7 @@ public:
     }
 
     // Coarse levels speed up what other sets say.
-    bool terms(const State<Real>&, bool, Terms<Real>& out) const override {
+    bool termsOf(std::span<const int>, const State<Real>&, bool, Terms<Real>& out) const override {
         out.resize(0, 2, false);
         return true;
     }

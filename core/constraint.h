@@ -8,6 +8,7 @@
 #include "terms.h"
 #include "workers.h"
 
+#include <span>
 #include <string>
 
 namespace plait {
@@ -48,7 +49,14 @@ public:
 
     // The set at the positions of `state`, with second derivatives where `curved`: what methods
     // other than sweeps are made of. Of the rows of the last begin(). False: it has no such form.
-    virtual bool terms(const State<Real>&, bool /*curved*/, Terms<Real>&) const { return false; }
+    bool terms(const State<Real>& state, bool curved, Terms<Real>& out) const {
+        return termsOf({}, state, curved, out);
+    }
+    // Only the constraints at these places of the set; all of them where `which` is empty.
+    virtual bool termsOf(std::span<const int> /*which*/, const State<Real>&, bool /*curved*/,
+                         Terms<Real>&) const {
+        return false;
+    }
 
     // Constraints in the set: the counted work of a sweep.
     virtual long size() const = 0;

@@ -91,10 +91,9 @@ public:
                         at(lambda_, slot_[i]) != Real(0);
     }
 
-    bool terms(const State<Real>& state, bool curved, Terms<Real>& out) const override {
-        out.resize(static_cast<int>(slot_.size()), Kind::arity, curved);
-        for (std::size_t i = 0; i < slot_.size(); ++i)
-            setTerm<Kind>(out, static_cast<int>(i), &set_.ids[i * arity], read(slot_[i]), state);
+    bool termsOf(std::span<const int> which, const State<Real>& state, bool curved,
+                 Terms<Real>& out) const override {
+        setTerms<Kind>(out, set_.ids, which, curved, state, [&](int i) { return read(slot_[i]); });
         return true;
     }
 

@@ -81,11 +81,10 @@ public:
         });
     }
 
-    bool terms(const State<Real>& state, bool curved, Terms<Real>& out) const override {
-        out.resize(static_cast<int>(rows_.size()), 2, curved);
-        for (std::size_t i = 0; i < rows_.size(); ++i)
-            setTerm<Kind>(out, static_cast<int>(i), &ids_[2 * i], narrow<Kind, Real>(rows_[i]),
-                          state);
+    bool termsOf(std::span<const int> which, const State<Real>& state, bool curved,
+                 Terms<Real>& out) const override {
+        setTerms<Kind>(out, ids_, which, curved, state,
+                       [&](int i) { return narrow<Kind, Real>(rows_[i]); });
         return true;
     }
 

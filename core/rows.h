@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace plait {
@@ -23,6 +24,15 @@ struct Rows {
 
     int size() const { return static_cast<int>(rows.size()); }
 };
+
+// Everything that the rows hold, one number after another.
+template <class Kind>
+std::span<const double> numbersOf(const Rows<Kind>& set) {
+    using Row = typename Rows<Kind>::Row;
+    static_assert(std::is_trivially_copyable_v<Row> && sizeof(Row) % sizeof(double) == 0);
+    return {reinterpret_cast<const double*>(set.rows.data()),
+            set.rows.size() * (sizeof(Row) / sizeof(double))};
+}
 
 // The rows for which `rest` (positions by vertex, m) is the rest shape, with this compliance where
 // the kind has one. `stencils` holds Kind::arity vertices a constraint.

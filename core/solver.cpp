@@ -53,7 +53,9 @@ void Solver<Real>::sweepColumns() {
 
 template <class Real>
 void Solver<Real>::takeWhole() {
-    WholeSubstep<Real> substep{state_, sets_, h_, implied_, workers_};
+    schedule_.plan(state_.substep, plan_);
+    const int columns = static_cast<int>(plan_.columns.size());
+    WholeSubstep<Real> substep{state_, sets_, h_, implied_, columns, options_.sweeps, workers_};
     evaluations_ += whole_->take(substep);
     if (blaming_) blame("the method");
 }
@@ -137,17 +139,17 @@ void Solver<Real>::frame() {
     const FlushDenormals flush;
     checkpoint_ = state_;
     const long evaluations = evaluations_;
-    advance();
-    if (!broken_) return;
     const auto putBack = [&] {
         state_ = checkpoint_;
         evaluations_ = evaluations;
         broken_ = blaming_ = false;
     };
-    // The run is deterministic, so the frame is taken again to see what breaks it.
-    putBack();
-    blaming_ = true;
     try {
+        advance();
+        if (!broken_) return;
+        // The run is deterministic, so the frame is taken again to see what breaks it.
+        putBack();
+        blaming_ = true;
         advance();
     } catch (const Diverged&) {
         putBack();

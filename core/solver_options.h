@@ -10,11 +10,12 @@
 
 namespace plait {
 
-enum class Method { xpbd, nucleus, symplectic };
+// One file each in methods/, which says what it is and where it fails.
+enum class Method { xpbd, nucleus, explicitEuler, symplectic, implicit, linearised, block, newton };
 
 // The velocity rule: v = (x - x1) / h, or BDF2, v = (3 x - 4 x1 + x2) / 2 h with its own predictor
-// (Vellum's second order, V; validation A1). BDF2 wants a converged solve.
-enum class Integrator { first, bdf2 };
+// (Vellum's second order, V; validation A1). BDF2 wants a converged solve. Midpoint is newton's.
+enum class Integrator { first, bdf2, midpoint };
 
 // What a column does with its sets: forward and then exactly backward; forward only; or forward in
 // one substep and backward in the next. The last two are baselines that are seen to fail.
@@ -25,7 +26,8 @@ struct SolverOptions {
     Integrator integrator = Integrator::first;
     Sweeps sweeps = Sweeps::palindrome;
     ScheduleOptions schedule = {.substeps = 10, .iterations = 1};
-    int smoothing = 0;     // Jacobi iterations after the columns (V: 10), contacts once more after
+    // Jacobi iterations after the columns (V: 10), contacts once more after; of methods that sweep.
+    int smoothing = 0;
     double damping = 0;    // part of the velocity that is lost in 1/24 s, 0 to 1 [IN23]
     double timeScale = 1;  // seconds that pass in a second of film, above 0 [IN25]
     // m/s^2. Above it a vertex that a one-sided constraint pushed falls back to first order under
@@ -36,11 +38,12 @@ struct SolverOptions {
     KernelChoice kernels = bestKernels();
 };
 
-// A number is not finite, and `culprit`, a set or a force, was the first to make one.
+// A number is not finite, and `culprit`, a set or a force, was the first to make one; or `culprit`
+// is a method that found no solution.
 struct Diverged : std::runtime_error {
-    Diverged(std::string name, long at)
-        : std::runtime_error(name + " made a number that is not finite, in substep " +
-                             std::to_string(at)),
+    Diverged(std::string name, long at,
+             const std::string& what = "made a number that is not finite")
+        : std::runtime_error(name + " " + what + ", in substep " + std::to_string(at)),
           culprit(std::move(name)),
           substep(at) {}
     std::string culprit;

@@ -193,7 +193,7 @@ void Solver<Real>::movePins(double f) {
 // past is damped as well: BDF2 would extrapolate the loss, and lose half as much again.
 template <class Real>
 void Solver<Real>::updateVelocities(bool second) {
-    if (whole_ && whole_->setsVelocities()) return;
+    const bool given = whole_ && whole_->setsVelocities();
     const bool bdf2 = options_.integrator == Integrator::bdf2;
     const bool fallsBack = second && std::isfinite(options_.maxAcceleration);
     if (fallsBack) {
@@ -207,7 +207,8 @@ void Solver<Real>::updateVelocities(bool second) {
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
             const Four<Real> before = four(state_.before[i].v);
             const Four<Real> step = four(state_.particles[i].d) - before;
-            Four<Real> old = four(state_.lastVelocity[i].v), v = step / h, past = old;
+            Four<Real> old = four(state_.lastVelocity[i].v), past = old;
+            Four<Real> v = given ? four(state_.velocity[i].v) : step / h;
             if (second) {
                 // (3 x - 4 x1 + x2) / 2 h, as differences of neighbours: no digits cancel [IN17].
                 const Four<Real> earlier = before - four(state_.last[i].v);

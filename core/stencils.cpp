@@ -110,8 +110,9 @@ Rows<Bend> bendRows(const SimplicialComplex& complex, Range range,
             return rest[static_cast<std::size_t>(set.ids[4 * i + a])];
         };
         const Vec<double> e = x(1) - x(0);
-        set.rows[i].compliance =
-            divide(area(x(0), x(1), x(2)) + area(x(0), x(1), x(3)), rigidity * dot(e, e));
+        const double a1 = area(x(0), x(1), x(2)), a2 = area(x(0), x(1), x(3));
+        const bool bends = a1 > 0 && a2 > 0;
+        set.rows[i].compliance = bends ? (a1 + a2) / (rigidity * dot(e, e)) : slack;
     }
     return set;
 }

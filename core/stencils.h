@@ -29,7 +29,8 @@ Rows<Tether> tetherRows(const SimplicialComplex& complex, Range range,
 // Bending of a sheet of flexural rigidity D (N m): energy D |e|^2 / (2 (A1 + A2)) (theta - rest)^2
 // a hinge, A1 and A2 its triangles' areas (discrete shells, Grinspun et al. 2003, without their
 // factor 3: so scaled, a grid bent to a cylinder along its edges has the plate's energy D / 2 R^2
-// an area). D = 0 gives no rows.
+// an area). D = 0 gives no rows; a triangle without area has no angles, and its hinges do not
+// act.
 Rows<Bend> bendRows(const SimplicialComplex& complex, Range range,
                     std::span<const Vec<double>> rest, double rigidity);
 

@@ -60,10 +60,10 @@ public:
     void damp(const Sweep<Real>& sweep, Workers& workers) override {
         for (const Color& color : colors_) run(kernels_.damp, color, sweep, workers);
     }
-    bool terms(const State<Real>& state, bool curved, Terms<Real>& out) const override {
-        out.resize(set_.size(), 2, curved);
-        for (int i = 0; i < set_.size(); ++i)
-            setTerm<Stretch>(out, i, &set_.ids[2 * i], narrow<Stretch, Real>(set_.rows[i]), state);
+    bool termsOf(std::span<const int> which, const State<Real>& state, bool curved,
+                 Terms<Real>& out) const override {
+        setTerms<Stretch>(out, set_.ids, which, curved, state,
+                          [&](int i) { return narrow<Stretch, Real>(set_.rows[i]); });
         return true;
     }
     long size() const override { return set_.size(); }

@@ -7,7 +7,7 @@
 #include "dual.h"
 #include "state.h"
 
-#include <type_traits>
+#include <span>
 #include <vector>
 
 namespace plait {
@@ -18,12 +18,19 @@ template <class Real>
 struct Terms {
     int arity = 0;
     std::vector<int> ids;
-    std::vector<Real> value;       // C
-    std::vector<Real> compliance;  // on the side where C lies; from `slack` on it does not act
+    std::vector<Real> value;         // C
+    std::vector<Real> compliance;    // on the side where C lies; from `slack` on it does not act
+    std::vector<Real> above, below;  // the same for C > 0 and C < 0
     std::vector<Vec<Real>> gradient;
     std::vector<Real> curvature;  // d2C / dx2
 
     int size() const { return static_cast<int>(value.size()); }
+    // The 3 x 3 block of vertices a and b in the second derivatives of constraint n; its rows are
+    // 3 arity numbers apart.
+    const Real* block(int n, int a, int b) const {
+        const std::size_t vertices = arity, first = vertices * n + a;
+        return &curvature[9 * vertices * first + 3 * static_cast<std::size_t>(b)];
+    }
     // For `constraints` of them; keeps its memory.
     void resize(int constraints, int vertices, bool curved) {
         arity = vertices;
@@ -31,6 +38,8 @@ struct Terms {
         ids.resize(n * a);
         value.resize(n);
         compliance.resize(n);
+        above.resize(n);
+        below.resize(n);
         gradient.resize(n * a);
         curvature.resize(curved ? n * 9 * a * a : 0);
     }
@@ -85,6 +94,8 @@ void setTerm(Terms<Real>& terms, int i, const int* ids,
     Stencil<Vec<Real>, arity> gradient;
     terms.value[i] = Kind::evaluate(row, x, gradient);
     terms.compliance[i] = Kind::compliance(row, terms.value[i]);
+    terms.above[i] = Kind::compliance(row, Real(1));
+    terms.below[i] = Kind::compliance(row, Real(-1));
     for (int a = 0; a < arity; ++a) {
         terms.ids[arity * i + a] = ids[a];
         terms.gradient[arity * i + a] = gradient[a];
@@ -109,6 +120,20 @@ void setTerm(Terms<Real>& terms, int i, const int* ids,
             curvature[numbers * n + 3 * a + 1] = slope[a].y.slope;
             curvature[numbers * n + 3 * a + 2] = slope[a].z.slope;
         }
+    }
+}
+
+// The constraints at the places `which` of a set, or all of it where that is empty. ids: of the
+// set; row(i): of constraint i.
+template <class Kind, class Real, class RowOf>
+void setTerms(Terms<Real>& terms, std::span<const int> ids, std::span<const int> which, bool curved,
+              const State<Real>& state, const RowOf& row) {
+    const auto all = static_cast<int>(ids.size()) / Kind::arity;
+    const int count = which.empty() ? all : static_cast<int>(which.size());
+    terms.resize(count, Kind::arity, curved);
+    for (int n = 0; n < count; ++n) {
+        const int i = which.empty() ? n : which[n];
+        setTerm<Kind>(terms, n, &ids[Kind::arity * i], row(i), state);
     }
 }
 

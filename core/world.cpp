@@ -82,6 +82,7 @@ void World::strand(const Rows<Stretch>& set, SetOptions options) {
                           const World& world,
                           KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
         checkStencils(name, set.ids, 2, set.rows.size(), set.colors, world.start.size());
+        checkNumbers(name, numbersOf(set));
         return std::make_unique<StrandSet<Real>>(set, world.rest, kernels);
     };
     constrain(
@@ -95,6 +96,7 @@ void World::aggregate(const Rows<Stretch>& set, SetOptions options, int fewest) 
                           const World& world,
                           KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
         checkStencils(name, set.ids, 2, set.rows.size(), set.colors, world.start.size());
+        checkNumbers(name, numbersOf(set));
         std::vector<double> masses = world.mass;
         for (std::size_t i = 0; i < masses.size(); ++i)
             if (world.pinned[i]) masses[i] = std::numeric_limits<double>::infinity();
@@ -114,6 +116,11 @@ void World::constrain(Recipe<Constraint> recipe, SetOptions options, bool contac
     if (!(options.damping >= 0 && options.damping <= 1))
         throw std::invalid_argument(options.name + ": damping must be in [0, 1]");
     sets.push_back({std::move(options), contact, std::move(recipe)});
+}
+
+void checkNumbers(const std::string& set, std::span<const double> numbers) {
+    for (const double number : numbers)
+        if (std::isnan(number)) throw std::invalid_argument(set + ": a row holds no number");
 }
 
 void checkStencils(const std::string& set, std::span<const int> ids, int arity, std::size_t rows,

@@ -110,6 +110,9 @@ struct World {
 // them below `vertices`, and no vertex twice in a colour (where colours are given).
 void checkStencils(const std::string& set, std::span<const int> ids, int arity, std::size_t rows,
                    std::span<const int> colors, std::size_t vertices);
+// Throws std::invalid_argument, naming the set, if one of its rows' numbers is NaN, which guarded
+// divisions would pass over.
+void checkNumbers(const std::string& set, std::span<const double> numbers);
 
 template <class Kind>
 void World::constrain(Rows<Kind> rows, SetOptions options) {
@@ -121,6 +124,7 @@ void World::constrain(Rows<Kind> rows, SetOptions options) {
                           KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
         checkStencils(options.name, rows.ids, Kind::arity, rows.rows.size(), rows.colors,
                       world.start.size());
+        checkNumbers(options.name, numbersOf(rows));
         if constexpr (Kind::arity == 2)
             if (options.direct) return std::make_unique<DirectSet<Kind, Real>>(rows, world.pinned);
         const int padding = static_cast<int>(world.start.size());

@@ -12,5 +12,7 @@ Command renderCommand();
 Command checkCommand();
 Command compareCommand();
 Command benchCommand();
+Command stabilityCommand();
+Command studyCommand();
 
 }  // namespace plait

@@ -13,8 +13,9 @@ constexpr double barPeriod = 0.1, linePeriod = 5;  // s
 
 }  // namespace
 
-Progress::Progress(std::string name, int begun, int total, bool quiet)
+Progress::Progress(std::string name, int begun, int total, bool quiet, std::string unit)
     : name_(std::move(name)),
+      unit_(std::move(unit)),
       begun_(begun),
       total_(total),
       form_(quiet                   ? Form::none
@@ -36,10 +37,12 @@ void Progress::show(int done) {
     if (since(shown_) < period && !last) return;
     shown_ = now;
     const double rate = (done - begun_) / std::max(since(start_), 1e-9);
-    const double left = rate > 0 ? (total_ - done) / rate : 0;
     char numbers[96];
-    std::snprintf(numbers, sizeof numbers, "%d/%d frames, %.1f frames/s, %.0f s left", done, total_,
-                  rate, left);
+    const int length =
+        std::snprintf(numbers, sizeof numbers, "%d/%d %s", done, total_, unit_.c_str());
+    if (rate > 0)
+        std::snprintf(numbers + length, sizeof numbers - length, ", %.1f %s/s, %.0f s left", rate,
+                      unit_.c_str(), (total_ - done) / rate);
     if (form_ == Form::lines) {
         std::fprintf(stderr, "%s: %s\n", name_.c_str(), numbers);
     } else {

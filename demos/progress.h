@@ -8,8 +8,8 @@ namespace plait {
 
 class Progress {
 public:
-    // `begun` of the `total` frames were done before.
-    Progress(std::string name, int begun, int total, bool quiet);
+    // `begun` of the `total` were done before; `unit` says of what.
+    Progress(std::string name, int begun, int total, bool quiet, std::string unit = "frames");
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -21,7 +21,7 @@ private:
     using Clock = std::chrono::steady_clock;
     enum class Form { none, bar, lines };
 
-    std::string name_;
+    std::string name_, unit_;
     int begun_, total_;
     Form form_;
     Clock::time_point start_ = Clock::now(), shown_ = start_;

@@ -26,9 +26,10 @@ int run(const Arguments& arguments) {
     for (const std::string& warning : run.scene.world.warnings)
         std::fprintf(stderr, "plait: warning: %s\n", warning.c_str());
 
+    RunJob job(run, options);
     const RunFolder folder(arguments.value("out", "out/" + run.entry->name), settingsOf(run),
                            {.resume = arguments.has("resume"), .replace = arguments.has("force")});
-    RunJob(run, folder, options).execute();
+    job.execute(folder);
     if (!options.quiet)
         std::printf("%s\n", (folder.path() / (options.pictures ? "clip.mp4" : "run.json")).c_str());
     return exitOk;

@@ -10,13 +10,14 @@
 
 namespace plait {
 
-RunJob::RunJob(const Run& run, const RunFolder& folder, const RunJobOptions& options)
-    : run_(run), folder_(folder), options_(options) {}
-
-void RunJob::execute() {
+RunJob::RunJob(const Run& run, const RunJobOptions& options) : run_(run), options_(options) {
     timed("build", [&] { simulation_ = makeSimulation(run_, options_.threads); });
+}
+
+void RunJob::execute(const RunFolder& folder) {
+    folder_ = &folder;
     if (options_.pictures)
-        timed("open", [&] { pictures_.emplace(run_, folder_, *options_.pictures); });
+        timed("open", [&] { pictures_.emplace(run_, folder, *options_.pictures); });
     try {
         begin();
         simulate();
@@ -28,20 +29,20 @@ void RunJob::execute() {
         throw;
     }
     for (const std::string& format : options_.exports)
-        timed("export", [&] { exportRun(folder_, run_, run_.frames(), format); });
+        timed("export", [&] { exportRun(folder, run_, run_.frames(), format); });
     leave("complete");
 }
 
 // The start, or every frame up to the checkpoint.
 void RunJob::begin() {
-    const int last = folder_.lastFrame();
+    const int last = folder_->lastFrame();
     if (last < 0) return keep(simulation_->frame());
-    const auto path = folder_.checkpointPath();
+    const auto path = folder_->checkpointPath();
     simulation_->restore(readWhole(path), path.string());
     resumedAt_ = last;
     for (int i = 0; i <= last; ++i) {
         stopIfInterrupted();
-        const RunFrame frame = folder_.frame(i);
+        const RunFrame frame = folder_->frame(i);
         rows_.push_back(rowOf(frame));
         show(frame);
     }
@@ -65,8 +66,8 @@ void RunJob::simulate() {
 // The checkpoint is last: where it is, the frame is.
 void RunJob::keep(const RunFrame& frame) {
     rows_.push_back(rowOf(frame));
-    writeWhole(folder_.framePath(frame.number), encodeFrame(frame, numberSize(run_)));
-    writeWhole(folder_.checkpointPath(), simulation_->checkpoint());
+    writeWhole(folder_->framePath(frame.number), encodeFrame(frame, numberSize(run_)));
+    writeWhole(folder_->checkpointPath(), simulation_->checkpoint());
 }
 
 void RunJob::show(const RunFrame& frame) {
@@ -93,7 +94,7 @@ Stages RunJob::stages() const {
 }
 
 void RunJob::leave(const std::string& ending) {
-    writeWhole(folder_.metricsPath(), csvOf(run_.scene.metrics, rows_));
+    writeWhole(folder_->metricsPath(), csvOf(run_.scene.metrics, rows_));
     Record record{.run = run_,
                   .ending = ending,
                   .threads = options_.threads,
@@ -109,7 +110,7 @@ void RunJob::leave(const std::string& ending) {
         record.glRenderer = pictures_->glRenderer();
     }
     record.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-    writeWhole(folder_.recordPath(), jsonOf(record));
+    writeWhole(folder_->recordPath(), jsonOf(record));
 }
 
 void RunJob::timed(const std::string& stage, const std::function<void()>& body) {

@@ -24,12 +24,13 @@ struct RunJobOptions {
 
 class RunJob {
 public:
-    // Both must live as long.
-    RunJob(const Run& run, const RunFolder& folder, const RunJobOptions& options);
+    // Throws SceneError for a run that its method cannot take on: before there is a folder. `run`
+    // must live as long.
+    RunJob(const Run& run, const RunJobOptions& options);
 
-    // Throws what errors.h says, Diverged as well; what it leaves then is whole, and goes on with
-    // another job of the same folder.
-    void execute();
+    // Once. Throws what errors.h says, Diverged as well; what it leaves then is whole, and goes on
+    // with another job of the same folder, which must live as long.
+    void execute(const RunFolder& folder);
     // What the stages took so far, those of the pictures too.
     Stages stages() const;
 
@@ -45,7 +46,7 @@ private:
     void timed(const std::string& stage, const std::function<void()>& body);
 
     const Run& run_;
-    const RunFolder& folder_;
+    const RunFolder* folder_ = nullptr;
     RunJobOptions options_;
     Clock::time_point start_ = Clock::now();
     std::unique_ptr<Simulation> simulation_;

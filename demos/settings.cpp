@@ -72,9 +72,12 @@ const std::vector<Setting>& table() {
          [](Run& run, const std::string& word) {
              run.scene.seconds = parseNumber("--seconds", word, 0.001, 3600);
          }},
-        choice("method", {"xpbd", "nucleus", "symplectic"}, "how constraints are solved",
+        choice("method",
+               {"xpbd", "nucleus", "explicit", "symplectic", "implicit", "linearised", "block",
+                "newton"},
+               "how constraints are solved",
                [](auto& run) -> auto& { return run.scene.options.method; }),
-        choice("integrator", {"first", "bdf2"}, "order of the velocity rule",
+        choice("integrator", {"first", "bdf2", "midpoint"}, "order of the velocity rule",
                [](auto& run) -> auto& { return run.scene.options.integrator; }),
         choice("direction", {"palindrome", "one-way", "alternating"}, "of the sweeps of a column",
                [](auto& run) -> auto& { return run.scene.options.sweeps; }),

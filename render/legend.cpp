@@ -1,36 +1,13 @@
 #include "legend.h"
 
+#include "chart_axis.h"
 #include "text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <vector>
 
 namespace plait {
 namespace {
-
-// Round numbers from low to high, about five steps of 1, 2 or 5 times a power of ten.
-std::vector<double> ticks(double low, double high, int& decimals) {
-    decimals = 0;
-    if (!(high > low) || !std::isfinite(high - low)) return {low};
-    const double rough = (high - low) / 4, power = std::pow(10, std::floor(std::log10(rough)));
-    double step = 10 * power;
-    for (const double factor : {5, 2, 1})
-        if (rough <= factor * power) step = factor * power;
-    decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
-    std::vector<double> result;
-    const double slack = 1e-6 * (high - low);
-    for (double i = std::ceil((low - slack) / step); i * step <= high + slack; ++i)
-        result.push_back(i * step);
-    return result;
-}
-
-std::string number(double value, int decimals) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value == 0 ? 0.0 : value);
-    return value < 0 ? "\u2212" + std::string(text + 1) : text;  // a minus as wide as a digit
-}
 
 Color encode(const glm::vec3& linear) {
     const auto channel = [](float v) {
@@ -79,13 +56,12 @@ void drawLegend(Picture& picture, const Legend& legend) {
         const float s = (static_cast<float>(column) + 0.5f) / static_cast<float>(width);
         paintRectangle(picture, x + column, y, 1, bar, encode(overlayColor(overlay, s)));
     }
-    int decimals = 0;
     const double low = legend.low, high = legend.high;
-    for (const double value : ticks(low, high, decimals)) {
+    for (const auto& [value, text] : axisTicks({low, high}, false, 4)) {
         const double center = high > low ? x + width * (value - low) / (high - low) : x;
         const int tick = std::min(static_cast<int>(center), right - 1);
         paintRectangle(picture, tick, y + bar, std::max(1, px(1)), px(4), steel);
-        label(center, number(value, decimals));
+        label(center, text);
     }
 }
 

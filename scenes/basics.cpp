@@ -8,6 +8,8 @@
 #include "stencils.h"
 #include "views.h"
 
+#include <algorithm>
+
 namespace plait {
 namespace {
 
@@ -64,6 +66,26 @@ Metric sag(int point, Band band) {
 
 }  // namespace
 
+// A kilogram on a spring of 1 N/m, 1 m from where it rests: x'' = -x (validation A0). The period is
+// 2 pi s.
+Scene unitSpring(const Knobs&) {
+    Scene scene;
+    const Range point = scene.world.add({SimplicialComplex(1), {{1, 0, 0}}});
+    auto spring = restRows<Attach>(pointStencils(point), scene.world.start, 1.0);
+    spring.rows[0].target = {0, 0, 0};
+    scene.world.constrain(spring, {.name = "spring"});
+    scene.options.schedule = {.substeps = 20, .iterations = 1};
+    scene.options.integrator = Integrator::bdf2;
+    scene.metrics = {{.name = "x",
+                      .unit = "m",
+                      .measure = [](const Snapshot& at) { return at.positions[0].x; },
+                      .low = -1.001,
+                      .high = 1.001,
+                      .caption = true}};
+    scene.view = viewOf({point}, {0, 0, 0}, 1.4, Material::brass);
+    return scene;
+}
+
 // A bob on a rigid, weightless link of 1 m, let go at 90 degrees (validation A1).
 Scene pendulum(const Knobs& knobs) {
     Scene scene;
@@ -83,14 +105,15 @@ Scene pendulum(const Knobs& knobs) {
 }
 
 // Twenty links let go from horizontal; one direct solve a substep, so that BDF2 is at its best.
-Scene hangingChain(const Knobs&) {
+Scene hangingChain(const Knobs& knobs) {
     Scene scene;
     const Range links = scene.world.add(chain({.links = 20}));
+    if (knobs.text("tip") == "whole") scene.world.mass.back() *= 2;
     scene.world.pin({links.first});
     scene.world.act<Gravity>(GravityOptions{});
     scene.world.constrain(
         restRows<Stretch>(edgeStencils(scene.world.complex, links), scene.world.rest),
-        {.name = "stretch", .direct = true});
+        {.name = "stretch", .direct = knobs.text("solve") == "direct"});
     scene.options.schedule = {.substeps = 16, .iterations = 1};
     scene.options.integrator = Integrator::bdf2;
     scene.metrics = {greatestStrain(scene.world, links, {-0.01, 0.01}),
@@ -101,10 +124,16 @@ Scene hangingChain(const Knobs&) {
 }
 
 // 1 m of 0.2 kg/m^2 between two pinned corners, flat at the start: the work of peers-measured.
+// Flat, it may buckle either way, and rounding decides; a dent of 1 mm, smooth and not symmetric,
+// makes what happens the same for every method.
 Scene hangingSheet(const Knobs& knobs) {
     Scene scene;
-    const int n = knobs.byQuality(16, 32, 64);
-    const Range sheet = scene.world.add(grid({.columns = n, .rows = n}, lying), {.density = 0.2});
+    const int size = static_cast<int>(knobs.number("size"));
+    const int n = size > 0 ? std::max(size, 2) : knobs.byQuality(16, 32, 64);
+    Shape shape = grid({.columns = n, .rows = n}, lying);
+    for (Vec<double>& x : shape.positions)
+        x.y -= knobs.number("dent") * (sine(pi * x.x) + 0.5 * sine(2 * pi * x.x)) * sine(-pi * x.z);
+    const Range sheet = scene.world.add(shape, {.density = 0.2});
     if (knobs.text("pins") == "corners")
         scene.world.pin({0, n - 1});
     else
@@ -115,6 +144,30 @@ Scene hangingSheet(const Knobs& knobs) {
     scene.metrics = {greatestStrain(scene.world, sheet, {0, 65}),
                      commonStrain(scene.world, sheet, {0, 18}), lowestHeight({-1.1, 1e-6})};
     scene.view = viewOf({sheet}, {0.5, -0.4, -0.3}, 1.4, Material::cotton);
+    return scene;
+}
+
+// 0.3 m of cloth clamped at one end and let go from horizontal: w L^3 / B = 10, and threads so soft
+// that every method knows their stiffness (validation A3).
+Scene cantilever(const Knobs&) {
+    Scene scene;
+    constexpr int columns = 17, rows = 3;
+    constexpr double l = 0.3, density = 0.2;
+    const Shape shape = grid({.columns = columns, .rows = rows, .width = l, .height = 0.06},
+                             {.across = {1, 0, 0}, .up = {0, 0, -1}});
+    const Range strip = scene.world.add(shape, {.density = density});
+    scene.world.pin(scene.world.select(
+        strip, [](const Vec<double>& x) { return x.x < 1.5 * l / (columns - 1); }));
+    scene.world.act<Gravity>(GravityOptions{});
+    constrainStretch(scene.world, strip, 1e-3);
+    scene.world.constrain(
+        bendRows(scene.world.complex, strip, scene.world.rest, density * 9.81 * l * l * l / 10),
+        {.name = "bend", .order = 1});
+    scene.options.schedule = {.substeps = 80, .iterations = 1};
+    scene.options.integrator = Integrator::bdf2;
+    scene.metrics = {greatestStrain(scene.world, strip, {-0.1, 1}),
+                     height("tip", strip.last - 1, {-l, 0.01 * l})};
+    scene.view = viewOf({strip}, {l / 2, -l / 2, 0}, 1.6 * l, Material::cotton);
     return scene;
 }
 

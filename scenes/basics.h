@@ -6,12 +6,14 @@
 namespace plait {
 
 Scene band(const Knobs&);
+Scene cantilever(const Knobs&);
 Scene hangingChain(const Knobs&);
 Scene hangingSheet(const Knobs&);
 Scene pendulum(const Knobs&);
 Scene sampler(const Knobs&);
 Scene softPins(const Knobs&);
 Scene stripInWind(const Knobs&);
+Scene unitSpring(const Knobs&);
 Scene windGauge(const Knobs&);
 
 }  // namespace plait

@@ -97,6 +97,9 @@ TEST_CASE("wrong words are refused in one line: what, allowed, nearest", "[progr
     refuses({"run", "pendulum", "--seconds", "nan"}, 2, {"--seconds", "'nan'"});
     refuses({"run", "pendulum", "-q", "drat"}, 2, {"nearest: draft", "preview"});
     refuses({"run", "pendulum", "--method", "xpdb"}, 2, {"nearest: xpbd", "nucleus"});
+    refuses({"run", "hanging-sheet", "--method", "implicit"}, 3,
+            {"hanging-sheet", "method implicit", "set stretch", "compliance"});
+    refuses({"run", "band", "--method", "symplectic"}, 3, {"method symplectic", "no rigid"});
     refuses({"run", "pendulum", "--set", "lenght=2"}, 2, {"pendulum", "nearest: length"});
     refuses({"run", "pendulum", "--set", "length=99"}, 2, {"--set length", "'99'", "0.1 to 10"});
     refuses({"run", "pendulum", "--set", "length"}, 2, {"KNOB=VALUE"});

@@ -7,7 +7,6 @@
 #pragma once
 
 #include "springs.h"
-#include "whole_step.h"
 
 namespace plait {
 
@@ -15,7 +14,7 @@ template <class Real>
 class Symplectic : public WholeStep<Real> {
 public:
     long take(WholeSubstep<Real>& s) override {
-        const long work = springs_.at(s, s.state.before);  // f(x)
+        const long work = springs_.atStart(s);  // f(x)
         const Real h2 = static_cast<Real>(s.h * s.h);
         for (std::size_t i = 0; i < springs_.force.size(); ++i)  // x + h v, v with h W f(x)
             s.state.particles[i].d += (h2 * s.state.particles[i].w) * springs_.force[i];

@@ -1,6 +1,11 @@
 #include "whole_step.h"
 
 #include "../constraints/constants.h"
+#include "block.h"
+#include "explicit.h"
+#include "implicit.h"
+#include "linearised.h"
+#include "newton.h"
 #include "symplectic.h"
 
 #include <stdexcept>
@@ -8,17 +13,50 @@
 namespace plait {
 namespace {
 
-void refuse(const std::string& what) { throw std::invalid_argument(what); }
+// What a method can do besides springs.
+struct Scope {
+    std::string name;
+    bool rigid = false, contacts = false, bdf2 = false, airInertia = false;
+};
+
+Scope scopeOf(Method method) {
+    switch (method) {
+        case Method::explicitEuler:
+            return {.name = "explicit"};
+        case Method::symplectic:
+            return {.name = "symplectic"};
+        case Method::implicit:
+            return {.name = "implicit"};
+        case Method::linearised:
+            return {.name = "linearised", .rigid = true, .contacts = true, .bdf2 = true};
+        case Method::block:
+            return {.name = "block", .rigid = true, .contacts = true, .bdf2 = true};
+        case Method::newton:
+            return {.name = "newton",
+                    .rigid = true,
+                    .contacts = true,
+                    .bdf2 = true,
+                    .airInertia = true};
+        default:
+            throw std::invalid_argument("no such method");
+    }
+}
 
 template <class Real>
-void needCompliance(const std::string& method, const NamedSet<Real>& named,
-                    const State<Real>& state) {
+void check(const Scope& scope, const NamedSet<Real>& named, const State<Real>& state) {
+    const std::string method = "method " + scope.name + " ", set = "set " + named.name;
     Terms<Real> terms;
-    named.set->terms(state, false, terms);
-    for (const Real compliance : terms.compliance)
-        if (!(compliance > 0))
-            refuse("method " + method + " has no rigid constraints, and " + named.name +
-                   " has: give it a compliance");
+    if (!named.set->terms(state, false, terms))
+        throw std::invalid_argument(method + "cannot see into " + set +
+                                    ": let it have terms, or take xpbd");
+    if (named.contact && !scope.contacts)
+        throw std::invalid_argument(method + "has no contacts, and " + set +
+                                    " is one: leave it out, or take xpbd or block");
+    if (scope.rigid) return;
+    for (int n = 0; n < terms.size(); ++n)
+        if (!(terms.above[n] > 0 && terms.below[n] > 0))
+            throw std::invalid_argument(method + "has no rigid constraints, and " + set +
+                                        " has: give it a compliance, or take xpbd or block");
 }
 
 }  // namespace
@@ -27,21 +65,34 @@ template <class Real>
 std::unique_ptr<WholeStep<Real>> makeWholeStep(const SolverOptions& options,
                                                const std::vector<NamedSet<Real>>& sets,
                                                const State<Real>& state, bool airHasInertia) {
+    if (options.integrator == Integrator::midpoint && options.method != Method::newton)
+        throw std::invalid_argument("integrator midpoint is for method newton alone");
     if (options.method == Method::xpbd || options.method == Method::nucleus) return nullptr;
-    const std::string method = "symplectic";
-    if (airHasInertia) refuse("method " + method + " knows no inertia of the air");
-    if (options.integrator != Integrator::first)
-        refuse("method " + method + " has an integrator of its own");
-    if (options.smoothing > 0) refuse("method " + method + " has no sweeps to smooth after");
-    Terms<Real> terms;
-    for (const NamedSet<Real>& named : sets) {
-        if (named.contact)
-            refuse("method " + method + " has no contacts, and " + named.name + " is one");
-        if (!named.set->terms(state, false, terms))
-            refuse("method " + method + " cannot see into the set " + named.name);
-        needCompliance(method, named, state);
+    const Scope scope = scopeOf(options.method);
+    const std::string method = "method " + scope.name + " ";
+    if (options.integrator != Integrator::first && !scope.bdf2)
+        throw std::invalid_argument(
+            method + "has an integrator of its own: choose the integrator \"first\"");
+    if (airHasInertia && !scope.airInertia)
+        throw std::invalid_argument(
+            method + "knows no inertia of the air: set its added mass to 0, or take xpbd");
+    for (const NamedSet<Real>& named : sets) check(scope, named, state);
+    if (options.method == Method::newton) {
+        if constexpr (std::is_same_v<Real, double>) return makeNewton(options, sets, state);
+        throw std::invalid_argument("method newton runs in double: set precision double");
     }
-    return std::make_unique<Symplectic<Real>>();
+    switch (options.method) {
+        case Method::explicitEuler:
+            return std::make_unique<Explicit<Real>>();
+        case Method::symplectic:
+            return std::make_unique<Symplectic<Real>>();
+        case Method::implicit:
+            return std::make_unique<Implicit<Real>>();
+        case Method::linearised:
+            return std::make_unique<Linearised<Real>>();
+        default:
+            return std::make_unique<Block<Real>>(sets, state);
+    }
 }
 
 template std::unique_ptr<WholeStep<float>> makeWholeStep(const SolverOptions&,

@@ -21,6 +21,8 @@ struct WholeSubstep {
     std::span<const std::unique_ptr<Constraint<Real>>> sets;
     double h;        // s, the substep
     double implied;  // s, what compliance sees: 2 h / 3 under BDF2 once it has a past
+    int columns;     // of the schedule in this substep
+    Sweeps sweeps;   // what a column does, where a method has such
     Workers& workers;
 };
 
@@ -31,7 +33,7 @@ public:
 
     // Leaves d where the substep ends. Returns the counted work, in constraints evaluated.
     virtual long take(WholeSubstep<Real>& substep) = 0;
-    // True: it sets velocities as well, and the velocity rule is left out.
+    // True: it sets velocities as well, in place of (x - x1) / h.
     virtual bool setsVelocities() const { return false; }
 };
 

@@ -57,8 +57,8 @@ Film film(const Run& run, int frames, int threads) {
     const RunFolder folder(scratch.path, settingsOf(part), {});
     RunJobOptions options{.threads = threads, .quiet = true, .pictures = {}, .exports = {}};
     options.pictures = requestedPictures({}, part);
-    RunJob job(part, folder, options);
-    job.execute();
+    RunJob job(part, options);
+    job.execute(folder);
     return {since(start), job.stages()};
 }
 

@@ -1,0 +1,137 @@
+#include "stability/atlas.h"
+
+#include "chart.h"
+#include "files.h"
+#include "study/tables.h"
+#include "web_page.h"
+#include "words.h"
+
+#include <cmath>
+
+namespace plait {
+namespace {
+
+const std::vector<std::string> categories{"ok", "drifting", "exploded", "not finite"};
+const CurveStyle foundStyle{0, Marker::disc, Dash::none};
+
+std::string figure(double value) {
+    char word[32];
+    std::snprintf(word, sizeof word, "%.4g", value);
+    return word;
+}
+
+std::string wordOf(const StabilityMap& map, const Boundary& boundary) {
+    const bool low = map.goodAtLowY;
+    if (!boundary.y) return "fails throughout";
+    if (boundary.open) return low ? "none up to " + figure(*boundary.y) : "none";
+    return figure(*boundary.y);
+}
+
+Table boundaryTable(const StabilityMap& map, std::span<const Boundary> boundaries) {
+    Table table{{"method", map.x.label, "boundary: " + map.y.label, "theory"}};
+    for (const Boundary& boundary : boundaries)
+        for (const StabilityPanel& panel : map.panels)
+            if (panel.name == boundary.panel)
+                table.push_back({panel.name, figure(boundary.x), wordOf(map, boundary),
+                                 panel.theory ? figure(panel.theory(boundary.x)) : "-"});
+    return table;
+}
+
+std::string cellsCsv(const StabilityMap& map, const Atlas& atlas) {
+    std::string lines = "panel,x,y,outcome\n";
+    for (std::size_t p = 0; p < map.panels.size(); ++p)
+        for (std::size_t i = 0; i < atlas.outcomes[p].size(); ++i)
+            lines += map.panels[p].name + "," + text(atlas.x[i % atlas.x.size()]) + "," +
+                     text(atlas.y[i / atlas.x.size()]) + "," +
+                     categories[static_cast<std::size_t>(atlas.outcomes[p][i])] + "\n";
+    return lines;
+}
+
+// Half a cell further than the values at the ends.
+Axis axisOf(const StabilityAxis& axis, const std::vector<double>& values) {
+    const std::size_t n = values.size();
+    return {.label = axis.label,
+            .logarithmic = true,
+            .low = values[0] * std::sqrt(values[0] / values[1]),
+            .high = values[n - 1] * std::sqrt(values[n - 1] / values[n - 2])};
+}
+
+Curve theoryCurve(const StabilityMap& map, const StabilityPanel& panel) {
+    Curve curve{.name = "theory",
+                .points = {},
+                .style = theoryStyle,
+                .low = {},
+                .high = {},
+                .failures = {},
+                .highlighted = {}};
+    for (const double x : valuesOf(map.x, 25)) {
+        const double on = panel.theory(x);
+        // What lies far outside would be a line along the edge.
+        if (on > map.y.low / 30 && on < map.y.high * 30) curve.points.push_back({x, on});
+    }
+    return curve;
+}
+
+Chart chartOf(const StabilityMap& map, const Atlas& atlas, std::size_t p) {
+    const StabilityPanel& panel = map.panels[p];
+    Chart chart{.title = panel.name,
+                .x = axisOf(map.x, atlas.x),
+                .y = axisOf(map.y, atlas.y),
+                .map = HeatMap{atlas.x, atlas.y, atlas.outcomes[p], categories},
+                .curves = {},
+                .front = {},
+                .labels = {}};
+    if (panel.theory) {
+        const Curve theory = theoryCurve(map, panel);
+        if (!theory.points.empty()) chart.curves.push_back(theory);
+    }
+    Curve found{.name = "boundary, bisected",
+                .points = {},
+                .style = foundStyle,
+                .low = {},
+                .high = {},
+                .failures = {},
+                .highlighted = {}};
+    for (const Boundary& boundary : atlas.boundaries)
+        if (boundary.panel == panel.name && boundary.y && !boundary.open)
+            found.points.push_back({boundary.x, *boundary.y});
+    if (!found.points.empty()) chart.curves.push_back(found);
+    return chart;
+}
+
+}  // namespace
+
+void writeAtlas(const StabilityMap& map, const Atlas& atlas, const std::filesystem::path& folder,
+                const std::string& command) {
+    const int panels = static_cast<int>(map.panels.size());
+    Figure chart{.title = map.title, .note = map.note, .charts = {}};
+    chart.columns = panels > 4 ? (panels + 1) / 2 : panels;
+    const int rows = (panels + chart.columns - 1) / chart.columns;
+    chart.width = panels == 1 ? 1000 : panels > 2 ? 340 + 320 * chart.columns : 1240;
+    chart.height = 160 + (panels == 1 ? 560 : panels > 2 ? 360 : 460) * rows;
+    for (std::size_t p = 0; p < map.panels.size(); ++p)
+        chart.charts.push_back(chartOf(map, atlas, p));
+    makeFolder(folder);
+    writeWhole(folder / "cells.csv", cellsCsv(map, atlas));
+    writeWhole(folder / "boundaries.csv", csvOf(atlas.boundaries));
+    writeFigure(folder / "chart", chart);
+    const std::string body =
+        pictureLine("chart", map.title) + "<p>" + escaped(map.words) +
+        "</p>\n<p>ok: none of what follows. Drifting: E &gt; 1.01 E0 + work, or what is said "
+        "above. "
+        "Exploded: E &gt; 1.05 E0 + work, or a strain beyond 200 %. Not finite: a number is not. "
+        "Boundaries are bisected between what is better and what is at least " +
+        categories[static_cast<std::size_t>(map.fails)] +
+        ".</p>\n<p>Theory: " + escaped(map.theoryWords) + ".</p>\n" +
+        htmlOf(boundaryTable(map, atlas.boundaries)) +
+        "<p><a href=\"cells.csv\">cells.csv</a>, <a "
+        "href=\"boundaries.csv\">boundaries.csv</a></p>\n" +
+        commandLines(command);
+    writeWhole(folder / "index.html", webPage(map.title, body));
+}
+
+std::string boundaryText(const StabilityMap& map, std::span<const Boundary> boundaries) {
+    return textOf(boundaryTable(map, boundaries));
+}
+
+}  // namespace plait

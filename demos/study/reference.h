@@ -1,0 +1,22 @@
+// The reference of a study: found, checked against itself and another integrator, and kept.
+#pragma once
+
+#include "study/study.h"
+
+#include <filesystem>
+
+namespace plait {
+
+// Frames count from the first on for as long as both differences of each stay below this part of
+// the size of the scene; where they do not, the comparison ends early.
+inline constexpr double referenceTrust = 1e-4;
+
+Reference findReference(const Study& study);
+
+// That of the file, if it is of this model and rule; else it is found and written there.
+Reference keptReference(const Study& study, const std::filesystem::path& file);
+
+// One line: what it is, how exact, and for how long.
+std::string describe(const Study& study, const Reference& reference);
+
+}  // namespace plait

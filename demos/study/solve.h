@@ -1,0 +1,18 @@
+// One run of a study: solved, timed and recorded.
+#pragma once
+
+#include "study/study.h"
+
+namespace plait {
+
+// Time is that of Solver::frame alone, on one thread. Short runs are run again, unrecorded, for 50
+// ms, and their median counts; the recorded one is the warm-up. What cannot run says so in
+// `ending`.
+Recording solve(const Study& study, const Run& run, bool timed = true);
+
+// Keeps the calling thread on the k-th core that the program may use, counted round.
+void pinThread(int k);
+
+int movingVertices(const World& world);
+
+}  // namespace plait

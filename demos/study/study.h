@@ -1,0 +1,89 @@
+// A study: one model, many methods and settings, one converged reference of the same model. Work
+// against error, as validation C has it.
+#pragma once
+
+#include "settings.h"
+#include "study/trajectory.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plait {
+
+// What a run left behind, frame by frame from the first after the start.
+struct Recording {
+    std::string ending = "complete";  // or what diverged, or why there was nothing to run
+    Trajectory positions;
+    std::vector<double> energy;  // J: motion, gravity and what soft constraints store
+    // Of hard constraints: |C|, over the length at rest where two vertices are joined.
+    std::vector<double> violation, violationMean, violationRms;
+    std::vector<std::vector<double>> metrics;  // those of the scene
+    double startEnergy = 0;                    // J
+    long evaluations = 0;                      // constraints swept
+    double seconds = 0, cpu = 0;  // of the solve alone: by the clock, and of its thread
+    std::string hash;             // of the last state
+};
+
+// The converged motion of the same semi-discrete model.
+struct Reference {
+    Trajectory trajectory;
+    int frames = 0;             // for which it is known to have converged
+    double selfDifference = 0;  // m, rms over these frames when its step is halved
+    double confirmation = 0;    // m, rms to the other integrator
+};
+
+// How a reference is found: `solve` halves its step with each `refinement`, 0 and 1; `confirm` is
+// another integrator. No `solve`: there is no reference, and errors are statistics.
+struct ReferenceRule {
+    std::string words, confirmingWords;
+    std::function<Trajectory(const Run&, int refinement)> solve;
+    std::function<Trajectory(const Run&)> confirm;
+};
+
+struct ErrorKind {
+    std::string key;    // column of points.csv
+    std::string label;  // of its axis, with its unit
+};
+
+struct StudyCurve {
+    std::string name;
+    std::vector<Settings> tasks;  // each on top of the model
+};
+
+struct Study {
+    std::string name, title;
+    Settings model;          // scene, quality, frame rate, seconds and knobs that all share
+    double size = 1;         // m, of the scene: errors are divided by it
+    double energyScale = 0;  // J, 0 where energy is not conserved
+    Vec<double> gravity{};   // m/s^2
+    std::vector<ErrorKind> errors;
+    // By error kind; infinite where the run is worthless.
+    std::function<std::vector<double>(const Study&, const Run&, const Recording&, const Reference&)>
+        measure;
+    ReferenceRule reference = {};
+    std::vector<StudyCurve> curves = {};
+    std::vector<std::string> omissions = {};  // what is left out, and why
+};
+
+// Every study there is. Throws UsageError with the nearest name.
+const std::vector<Study>& studies();
+const Study& studyNamed(const std::string& name);
+
+// The run of a study with these settings on top of its model.
+Run studyRun(const Study& study, const Settings& settings);
+
+// Position (rms over the frames of the reference, and at the last of them), energy where it is
+// conserved, and violation of hard constraints: what most studies measure.
+std::vector<ErrorKind> usualErrors(bool conserved, bool hard);
+std::vector<double> measureUsual(const Study& study, const Run& run, const Recording& recording,
+                                 const Reference& reference);
+
+// Greatest extension of a link: of any frame, as a mean over the second half, and at the end with
+// the mean violation there. What has no reference: strain is 0 where links are rigid.
+std::vector<ErrorKind> strainErrors();
+std::vector<double> measureStrain(const Study& study, const Run& run, const Recording& recording,
+                                  const Reference& reference);
+
+}  // namespace plait

@@ -1,0 +1,69 @@
+// What a chart is made of; nothing outside of render/chart*.cpp needs it.
+#pragma once
+
+#include "chart.h"
+#include "chart_axis.h"
+#include "drawing.h"
+
+#include <cmath>
+#include <span>
+
+namespace plait {
+
+inline constexpr Color chartGround{0xfa, 0xf6, 0xef}, chartGrid{0xdc, 0xd5, 0xca},
+    chartQuiet{0x58, 0x6a, 0x7a}, frontColor{0xc9, 0xbe, 0xad};
+
+Color curveColor(int i);
+std::vector<double> dashPattern(Dash dash);
+// Of a heat map, from light to dark.
+Color categoryColor(int i);
+
+enum class Anchor { left, middle, right };
+// `x` is where the anchor is. Smaller where it is wider than `room`; empty text is left out.
+void addWord(Drawing& drawing, double x, double baseline, const std::string& text, TextStyle style,
+             Anchor anchor = Anchor::left, double room = HUGE_VAL);
+void addLine(Drawing& drawing, PagePoint a, PagePoint b, Color color, double width);
+void addRectangle(Drawing& drawing, const Box& box, Color color, double alpha = 1);
+void addMarker(Drawing& drawing, PagePoint center, const CurveStyle& style, double radius);
+
+// Where a chart's numbers are on the page.
+struct Plot {
+    Box box;
+    AxisScale x, y;
+
+    PagePoint operator()(ChartPoint p) const { return {x(p.x), y(p.y)}; }
+};
+
+bool contains(const Box& box, PagePoint p);  // its edge too
+// What of a line or an area lies in the box.
+std::vector<std::vector<PagePoint>> clippedLine(std::span<const PagePoint> points, const Box& box);
+std::vector<PagePoint> clippedArea(std::vector<PagePoint> points, const Box& box);
+
+// One chart within the box; `size` 1 is for a chart that has the page to itself.
+void addChart(Drawing& drawing, const Chart& chart, const Box& box, double size);
+// Cells of one category; all cells; curves with bands, markers and front.
+void addCells(Drawing& drawing, const Box& box, int category);
+void addHeatMap(Drawing& drawing, const HeatMap& map, const Plot& plot);
+void addCurves(Drawing& drawing, const Chart& chart, const Plot& plot, double size);
+// Labels and highlighted points.
+void addLabels(Drawing& drawing, const Chart& chart, const Plot& plot, double size);
+
+// Names and samples of what the charts hold, each name once.
+struct LegendEntry {
+    enum class Kind { curve, front, category } kind;
+    std::string name;
+    CurveStyle style;  // of a curve
+    int category = 0;
+};
+std::vector<LegendEntry> legendEntries(std::span<const Chart> charts);
+inline constexpr double legendPitch = 34;  // px from one to the next where there is room
+double legendWidth(std::span<const LegendEntry> entries, double size);
+void addLegend(Drawing& drawing, std::span<const LegendEntry> entries, const Box& box, double size);
+
+// Throws std::invalid_argument as figureSvg says.
+void checkFigure(const Figure& figure);
+
+// The whole page; what figureSvg and figurePicture draw. Throws as they do.
+Drawing figureDrawing(const Figure& figure);
+
+}  // namespace plait
