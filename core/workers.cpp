@@ -42,7 +42,7 @@ void Workers::run(const Job& job) {
     unsigned round = round_.load(std::memory_order_relaxed) + 1;
     if (round == 0) round = 1;  // 0 is for shares that nobody may begin
     for (Share& share : shares_) share.open.store(round, std::memory_order_release);
-    round_.store(round);
+    round_.store(round, std::memory_order_release);
     round_.notify_all();
     share(0);
     for (int t = 1; t < threads(); ++t)
@@ -81,7 +81,7 @@ void Workers::serve(int thread) {
         if (stop_) return;  // asked after the round was read, or the last round could be missed
         if (!claim(thread, seen)) continue;
         share(thread);
-        done.store(seen);
+        done.store(seen);  // in sequence with who waits: run() must be woken, threads need not be
         done.notify_all();
     }
 }

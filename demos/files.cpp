@@ -21,7 +21,9 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 }  // namespace
 
-std::filesystem::path partOf(const std::filesystem::path& path) { return path.string() + ".part"; }
+std::filesystem::path partOf(const std::filesystem::path& path) {
+    return path.string() + "." + std::to_string(getpid()) + ".part";
+}
 
 void writeWhole(const std::filesystem::path& path, std::string_view bytes) {
     const std::filesystem::path part = partOf(path);

@@ -7,7 +7,7 @@
 
 namespace plait {
 
-// Where a file is written before it is renamed to `path`.
+// Where this process writes a file before it is renamed to `path`.
 std::filesystem::path partOf(const std::filesystem::path& path);
 
 // Writes beside, then renames. Throws FileError, as all of these do.

@@ -1,13 +1,17 @@
 // The program's parts, from inside.
 #include "catch.h"
 #include "errors.h"
+#include "files.h"
 #include "json.h"
 #include "metric_table.h"
 #include "pipe.h"
 #include "program.h"
 #include "run_folder.h"
+#include "scratch_folder.h"
 #include "words.h"
 
+#include <sys/wait.h>
+#include <unistd.h>
 #include <limits>
 #include <thread>
 
@@ -87,6 +91,31 @@ TEST_CASE("settings are words that make the same run again", "[program]") {
     CHECK(run.frames() == 120);
     const std::string words = textOf(settingsOf(run));
     CHECK(textOf(settingsOf(makeRun(settingsFrom(words)))) == words);
+}
+
+// The tasks of a study are processes, and the first ones all write its reference.
+TEST_CASE("two processes may write the same file", "[program]") {
+    const ScratchFolder scratch;
+    const std::filesystem::path path = scratch / "file";
+    const auto writeOften = [&] {
+        for (int i = 0; i < 2000; ++i) writeWhole(path, "whole");
+    };
+    const pid_t other = fork();
+    if (other == 0) {
+        try {
+            writeOften();
+        } catch (const FileError&) {
+            _exit(1);
+        }
+        _exit(0);
+    }
+    REQUIRE(other > 0);
+    CHECK_NOTHROW(writeOften());
+    int status = -1;
+    waitpid(other, &status, 0);
+    CHECK(status == 0);
+    CHECK(readWhole(path) == "whole");
+    CHECK(scratch.count() == 1);
 }
 
 TEST_CASE("a pipe waits for room and for items, and ends", "[program][threads]") {
