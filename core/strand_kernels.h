@@ -15,6 +15,7 @@ struct StrandBlock {
     Real* lambda;      // of each link
     Real* work;        // strandWork numbers a link, of no meaning before and after
     int links;
+    int begin, end;  // the strands to solve: multiples of the lanes
 };
 inline constexpr int strandWork = 6;
 

@@ -102,7 +102,7 @@ void solve(const Sweep<Scalar<T>>& sweep, const StrandBlock<Scalar<T>>& block, i
 template <class T, Pass pass, bool inAir>
 [[gnu::flatten]] void strandLoop(const Sweep<Scalar<T>>& sweep,
                                  const StrandBlock<Scalar<T>>& block) {
-    for (int lane = 0; lane < blockSize; lane += Lanes<T>::count) {
+    for (int lane = block.begin; lane < block.end; lane += Lanes<T>::count) {
         factor<T, pass, inAir>(sweep, block, lane);
         solve<T, pass, inAir>(sweep, block, lane);
     }

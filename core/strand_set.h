@@ -39,13 +39,17 @@ public:
             std::vector<const Strand*> members;
             for (const Strand& strand : strands)
                 if (strand.color == color) members.push_back(&strand);
-            const int begin = static_cast<int>(blocks_.size());
+            const int begin = static_cast<int>(shares_.size());
             for (std::size_t i = 0; i < members.size(); i += blockSize) {
                 const std::size_t count = std::min<std::size_t>(blockSize, members.size() - i);
                 blocks_.emplace_back(set, std::span(members).subspan(i, count),
                                      static_cast<int>(rest.size()));
+                // Half a block, where the lanes allow it: a flag has few blocks to deal out.
+                const int share = std::max(blockSize / 2, choice.lanes);
+                for (int n = 0; n < static_cast<int>(count); n += share)
+                    shares_.push_back({static_cast<int>(blocks_.size()) - 1, n, n + share});
             }
-            colors_.push_back({begin, static_cast<int>(blocks_.size())});
+            colors_.push_back({begin, static_cast<int>(shares_.size())});
         }
     }
 
@@ -94,18 +98,23 @@ private:
         std::vector<int> ids;
         std::vector<Real> rows, lambda, work;
     };
+    // What a thread takes at once: these strands of a block.
+    struct Share {
+        int block, begin, end;
+    };
     struct Color {
-        int begin, end;  // blocks
+        int begin, end;  // shares
     };
 
     void run(const StrandKernel<Real> (&kernels)[2], const Color& color, const Sweep<Real>& sweep,
              Workers& workers) {
         const StrandKernel<Real> kernel = kernels[sweep.air ? 1 : 0];
         workers.forBlocks(color.end - color.begin, 1, [&](int begin, int end) {
-            for (int b = color.begin + begin; b < color.begin + end; ++b) {
-                Block& block = blocks_[b];
+            for (int i = color.begin + begin; i < color.begin + end; ++i) {
+                const Share& share = shares_[i];
+                Block& block = blocks_[share.block];
                 kernel(sweep, {block.ids.data(), block.rows.data(), block.lambda.data(),
-                               block.work.data(), block.links});
+                               block.work.data(), block.links, share.begin, share.end});
             }
         });
     }
@@ -113,6 +122,7 @@ private:
     const StrandTable<Real>& kernels_;
     Rows<Stretch> set_;
     std::vector<Block> blocks_;
+    std::vector<Share> shares_;
     std::vector<Color> colors_;
 };
 
