@@ -17,10 +17,23 @@ struct StrandLink {
     T w;           // of the link's second vertex
 };
 
-// Lane by lane, so that a link's numbers lie together.
-template <class Real>
-Real* workOf(const StrandBlock<Real>& block, int link, int lane) {
-    return block.work + strandWork * (link * blockSize + lane);
+// Its numbers, kept for lanes from `lane` on. One by one: a whole StrandLink is copied in wider
+// registers than its members are read in, and every read then waits for the copy.
+template <class T>
+void keep(const StrandLink<T>& link, const StrandBlock<Scalar<T>>& block, int k, int lane) {
+    Scalar<T>* to = block.work + strandWork * (k * blockSize + lane);
+    for (const T& number :
+         {link.along.x, link.along.y, link.along.z, link.factor, link.solved, link.w}) {
+        store(to, number);
+        to += Lanes<T>::count;
+    }
+}
+
+template <class T>
+StrandLink<T> kept(const StrandBlock<Scalar<T>>& block, int k, int lane) {
+    const Scalar<T>* from = block.work + strandWork * (k * blockSize + lane);
+    const auto number = [&](int m) { return load<T>(from + m * Lanes<T>::count); };
+    return {{number(0), number(1), number(2)}, number(3), number(4), number(5)};
 }
 
 template <class T, bool inAir>
@@ -69,7 +82,7 @@ void factor(const Sweep<Scalar<T>>& sweep, const StrandBlock<Scalar<T>>& block, 
         inverse = select(pivot > T(redundant<T>) * weight, divide(T(1), pivot), T(0));
         // `solved` of the last link is D^-1 times what L left of it, and beside = factor * D.
         link.solved = inverse * (-(c + a * lambda) - beside * last.solved);
-        __builtin_memcpy(workOf(block, k, lane), &link, sizeof link);
+        keep(link, block, k, lane);
         last = link;
     }
 }
@@ -83,8 +96,7 @@ void solve(const Sweep<Scalar<T>>& sweep, const StrandBlock<Scalar<T>>& block, i
     StrandLink<T> next{{T(0), T(0), T(0)}, T(0), T(0), T(0)};
     T change = T(0);
     for (int k = block.links - 1; k >= 0; --k, ids -= blockSize) {
-        StrandLink<T> link;
-        __builtin_memcpy(&link, workOf(block, k, lane), sizeof link);
+        const StrandLink<T> link = kept<T>(block, k, lane);
         const Vec<T> pulled = change * next.along;
         change = link.solved - next.factor * change;
         const auto response = responseOf<T, inAir>(sweep, ids, link.w);
