@@ -1,6 +1,6 @@
 #include "stencils.h"
 
-#include "ways.h"
+#include "geodesics.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -21,6 +21,32 @@ void append(std::vector<int>& ids, const Simplex& simplex, Range range) {
 
 double area(const Vec<double>& a, const Vec<double>& b, const Vec<double>& c) {
     return length(cross(b - a, c - a)) / 2;
+}
+
+// Anchors that edges join, together: a hoist is one.
+std::vector<std::vector<int>> groupsOf(const SimplicialComplex& complex,
+                                       std::span<const int> anchors) {
+    std::vector<bool> waits(static_cast<std::size_t>(complex.count(0)), false);
+    for (const int v : anchors) {
+        if (v < 0 || v >= complex.count(0))
+            throw std::invalid_argument("tethers: there is no vertex " + std::to_string(v));
+        waits[static_cast<std::size_t>(v)] = true;
+    }
+    const Csr ring = complex.oneRing();
+    std::vector<std::vector<int>> groups;
+    const auto join = [&](int v) {
+        if (!waits[static_cast<std::size_t>(v)]) return;
+        waits[static_cast<std::size_t>(v)] = false;
+        groups.back().push_back(v);
+    };
+    for (const int anchor : anchors) {
+        if (!waits[static_cast<std::size_t>(anchor)]) continue;
+        groups.emplace_back();
+        join(anchor);
+        for (std::size_t i = 0; i < groups.back().size(); ++i)
+            for (const int v : ring[groups.back()[i]]) join(v);
+    }
+    return groups;
 }
 
 }  // namespace
@@ -82,22 +108,18 @@ std::vector<int> pointStencils(Range range) {
 
 Rows<Tether> tetherRows(const SimplicialComplex& complex, Range range,
                         std::span<const Vec<double>> rest, std::span<const int> anchors) {
-    for (const int v : anchors)
-        if (v < 0 || v >= complex.count(0))
-            throw std::invalid_argument("tethers: there is no vertex " + std::to_string(v));
-    // Where triangles are rigid the straight way holds as well, shorter by up to 1 / sqrt 2 in a
-    // grid; where they shear, as those of woven cloth do, this is all there is.
-    std::vector<Link> links;
-    const std::vector<int> edges = edgeStencils(complex, range);
-    for (std::size_t e = 0; e < edges.size(); e += 2)
-        links.push_back({edges[e], edges[e + 1], length(rest[edges[e + 1]] - rest[edges[e]])});
+    const Geodesics ways(complex, range, rest);
     Rows<Tether> set;
-    Ways(complex.count(0), links).from(anchors, [&](int v, double distance, int anchor) {
-        if (v == anchor) return true;
-        set.ids.push_back(v);
-        set.rows.push_back({rest[anchor], distance});
-        return true;
-    });
+    for (const std::vector<int>& group : groupsOf(complex, anchors)) {
+        const std::vector<Geodesics::Way> from = ways.from(group);
+        for (int v = range.first; v < range.last; ++v) {
+            const auto& [length, anchor] = from[static_cast<std::size_t>(v)];
+            if (anchor < 0 || std::find(anchors.begin(), anchors.end(), v) != anchors.end())
+                continue;
+            set.ids.push_back(v);
+            set.rows.push_back({rest[static_cast<std::size_t>(anchor)], length});
+        }
+    }
     return set;
 }
 

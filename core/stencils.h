@@ -19,10 +19,10 @@ std::vector<int> jointStencils(const SimplicialComplex& complex, Range range);
 std::vector<int> hingeStencils(const SimplicialComplex& complex, Range range);  // 4, for Bend
 std::vector<int> pointStencils(Range range);                                    // 1, for contacts
 
-// The furthest that any way along the edges of `range` lets each vertex be from the nearest of
-// `anchors`: what an inextensible sheet holds anyway, said at once. Vertices that no way leads to
-// get no row, nor do the anchors, which are to stay where `rest` has them. Throws
-// std::invalid_argument for an anchor that is not there.
+// The furthest that a sheet whose triangles keep their lengths lets each vertex be from `anchors`:
+// what it holds anyway, said at once. Anchors that edges join count as one, of which the nearest is
+// meant; every such group gives each vertex that a way leads to a row, anchors excepted, which are
+// to stay where `rest` has them. Throws std::invalid_argument for an anchor that is not there.
 Rows<Tether> tetherRows(const SimplicialComplex& complex, Range range,
                         std::span<const Vec<double>> rest, std::span<const int> anchors);
 
