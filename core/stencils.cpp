@@ -34,17 +34,17 @@ std::vector<std::vector<int>> groupsOf(const SimplicialComplex& complex,
     }
     const Csr ring = complex.oneRing();
     std::vector<std::vector<int>> groups;
-    const auto join = [&](int v) {
-        if (!waits[static_cast<std::size_t>(v)]) return;
-        waits[static_cast<std::size_t>(v)] = false;
-        groups.back().push_back(v);
-    };
     for (const int anchor : anchors) {
         if (!waits[static_cast<std::size_t>(anchor)]) continue;
-        groups.emplace_back();
-        join(anchor);
-        for (std::size_t i = 0; i < groups.back().size(); ++i)
-            for (const int v : ring[groups.back()[i]]) join(v);
+        waits[static_cast<std::size_t>(anchor)] = false;
+        std::vector<int> group{anchor};
+        for (std::size_t i = 0; i < group.size(); ++i)
+            for (const int v : ring[group[i]])
+                if (waits[static_cast<std::size_t>(v)]) {
+                    waits[static_cast<std::size_t>(v)] = false;
+                    group.push_back(v);
+                }
+        groups.push_back(std::move(group));
     }
     return groups;
 }
