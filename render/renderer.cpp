@@ -75,6 +75,7 @@ Renderer::Renderer(const Scene& scene, const RenderOptions& options)
     rim_ = lightDirection(pose, 150, 38);
     for (const Look& look : view_.looks)
         addSkin(Skin(scene.world.complex, scene.world.rest, look, pixelAt(pose)));
+    for (const Coil& coil : view_.coils) addSkin(Skin(scene.world.rest, coil));
     for (const Prop& prop : view_.props) addSkin(Skin(prop));
 }
 
@@ -137,7 +138,7 @@ Picture Renderer::draw(std::span<const Vec<double>> positions, double t, const O
     std::vector<glm::vec3> tints;
     if (overlay)
         for (const float value : overlay->values) tints.push_back(overlayColor(*overlay, value));
-    for (std::size_t i = 0; i < view_.looks.size(); ++i) {
+    for (std::size_t i = 0; i < view_.looks.size() + view_.coils.size(); ++i) {
         skins_[i].update(positions, tints);
         upload(i);
     }
@@ -198,7 +199,7 @@ void Renderer::drawSkins(const glm::mat4& camera, const CameraPose& pose, bool o
 
 const Program& Renderer::surfaceProgram(std::size_t i, const CameraPose& pose, bool overlay) {
     const Skin& skin = skins_[i];
-    const bool prop = i >= view_.looks.size();
+    const bool prop = i >= view_.looks.size();  // or a coil
     const Family family = finishOf(skin.material()).family;
     std::string defines;
     if (!prop) defines += "#define FINE\n";

@@ -1,6 +1,9 @@
 #include "skin.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace plait {
@@ -82,6 +85,16 @@ Skin::Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, 
     for (int i = 0; i < range_.size(); ++i)
         if (!covered[i]) balls_.push_back(i);
     if (!balls_.empty()) ball_ = sphere({.subdivisions = 2, .radius = look.radius});
+    update(rest);
+}
+
+Skin::Skin(std::span<const Vec<double>> rest, const Coil& coil)
+    : range_{coil.to, coil.to + 1},
+      material_(coil.material),
+      color_(toGlm(coil.color)),
+      coil_(coil) {
+    if (coil.to < 0 || coil.to >= static_cast<int>(rest.size()) || coil.turns < 1)
+        throw std::invalid_argument("coil: needs a vertex of the world and a turn");
     update(rest);
 }
 
@@ -181,6 +194,7 @@ void Skin::update(std::span<const Vec<double>> positions, std::span<const glm::v
     triangles_.resize(static_cast<std::size_t>(surfaceTriangles_));
     if (surfaceVertices_ > 0) updateSurface();
     updateCurves();
+    if (coil_) updateCoil();
 }
 
 void Skin::updateSurface() {
@@ -242,6 +256,22 @@ void Skin::updateCurves() {
             triangles_.push_back({first + a, first + b, first + c});
         }
     }
+}
+
+void Skin::updateCoil() {
+    constexpr int steps = 8;  // in a turn; the tube is smooth between them
+    const glm::vec3 start = toGlm(coil_->from), along = coarse_[0] - start, axis = unit(along);
+    const glm::vec3 any = std::abs(axis.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+    const glm::vec3 across = glm::normalize(glm::cross(axis, any)), up = glm::cross(across, axis);
+    std::vector<glm::vec3> points;
+    for (int i = 0; i <= steps * coil_->turns; ++i) {
+        const float turn = static_cast<float>(i) / steps, a = glm::two_pi<float>() * turn;
+        points.push_back(start + turn / static_cast<float>(coil_->turns) * along +
+                         static_cast<float>(coil_->radius) *
+                             (std::cos(a) * up + std::sin(a) * across));
+    }
+    appendTube(points, std::vector<glm::vec3>(points.size()), false,
+               static_cast<float>(coil_->wire), vertices_, triangles_);
 }
 
 }  // namespace plait

@@ -7,6 +7,7 @@
 #include "view.h"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,8 @@ public:
     // range outside the complex or a wrong number of uv.
     Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, const Look& look,
          float pixel);
+    // Throws std::invalid_argument if `coil` ends at no vertex or has no turn.
+    Skin(std::span<const Vec<double>> rest, const Coil& coil);
     // A thing that stays as it is; its edges are sharp from 40 degrees on.
     explicit Skin(const Prop& prop);
 
@@ -44,6 +47,7 @@ private:
                   const Look& look);
     void updateSurface();
     void updateCurves();
+    void updateCoil();
 
     Range range_;
     Material material_;
@@ -57,6 +61,7 @@ private:
     int surfaceVertices_ = 0, surfaceTriangles_ = 0;
     std::vector<glm::vec2> uv_;  // m, of fine vertices
     std::vector<Polyline> curves_;
+    std::optional<Coil> coil_;
     std::vector<int> balls_;
     Shape ball_;
 

@@ -4,12 +4,26 @@
 #include "elementary.h"
 
 namespace plait {
+namespace {
+
+// Linear, of the look book: brass, steel, slate, and vermilion for the rest.
+std::array<double, 3> colorOf(Material material) {
+    switch (material) {
+        case Material::brass:
+            return {0.584, 0.305, 0.050};
+        case Material::steel:
+            return {0.397, 0.445, 0.491};
+        case Material::matte:
+            return {0.098, 0.144, 0.195};
+        default:
+            return {0.578, 0.032, 0.014};
+    }
+}
+
+}  // namespace
 
 Look lookOf(const Range& object, Material material, double radius) {
-    Look look{.object = object, .material = material, .radius = radius};
-    if (material == Material::brass) look.color = {0.584, 0.305, 0.050};
-    if (material == Material::steel) look.color = {0.397, 0.445, 0.491};
-    return look;
+    return {.object = object, .material = material, .color = colorOf(material), .radius = radius};
 }
 
 View viewOf(const std::vector<Range>& objects, const Vec<double>& middle, double size,
@@ -40,14 +54,31 @@ void travel(View& view, const Vec<double>& velocity) {
     view.glowCenter += 1e6 * (start.target - start.eye);
 }
 
-void addPeg(View& view, const Vec<double>& front, double radius) {
-    constexpr std::array slate{0.098, 0.144, 0.195};
-    const Vec<double> back = front - Vec<double>{0, 0, 0.2};
-    const Shape side =
-        tube({.segments = 64, .radius = radius, .height = 0.2}, {.origin = back, .up = {0, 0, 1}});
-    view.props.push_back({side, Material::matte, slate});
+void addBar(View& view, const Vec<double>& from, const Vec<double>& to, double radius,
+            Material material) {
+    const double l = length(to - from);
+    const Vec<double> axis = (1 / l) * (to - from);
+    const Vec<double> any = axis.y * axis.y < 0.8 ? Vec<double>{0, 1, 0} : Vec<double>{1, 0, 0};
+    const Vec<double> side = cross(axis, any), u = (1 / length(side)) * side, v = cross(axis, u);
+    const auto color = colorOf(material);
+    view.props.push_back({tube({.segments = 64, .radius = radius, .height = l},
+                               {.origin = from, .across = u, .up = axis}),
+                          material, color});
+    for (const double end : {-1.0, 1.0})
+        view.props.push_back({disc({.rings = 8, .radius = radius},
+                                   {.origin = end < 0 ? from : to, .across = u, .up = end * v}),
+                              material, color});
+}
+
+void addBox(View& view, const Vec<double>& low, const Vec<double>& high) {
+    const Vec<double> size = high - low;
     view.props.push_back(
-        {disc({.rings = 8, .radius = radius}, {.origin = front}), Material::matte, slate});
+        {block({.width = size.x, .height = size.y, .depth = size.z}, {.origin = low}),
+         Material::matte, colorOf(Material::matte)});
+}
+
+void addPeg(View& view, const Vec<double>& front, double radius) {
+    addBar(view, front - Vec<double>{0, 0, 0.2}, front, radius, Material::matte);
 }
 
 Shape turned(const std::vector<std::array<double, 2>>& profile) {

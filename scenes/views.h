@@ -7,7 +7,7 @@
 
 namespace plait {
 
-// Brass and steel in the colours of their metals, all else vermilion.
+// Brass and steel in the colours of their metals, matte in slate, all else vermilion.
 Look lookOf(const Range& object, Material material, double radius);
 
 // A camera that looks `from` a side at the middle of the action, which is `size` (m) across, over
@@ -19,7 +19,14 @@ View viewOf(const std::vector<Range>& objects, const Vec<double>& middle, double
 // ground, which would stay behind.
 void travel(View& view, const Vec<double>& velocity);
 
-// A round peg along z behind the point `front`.
+// A round bar with flat ends.
+void addBar(View& view, const Vec<double>& from, const Vec<double>& to, double radius,
+            Material material);
+
+// A slate box between two corners, each coordinate of `low` the lesser.
+void addBox(View& view, const Vec<double>& low, const Vec<double>& high);
+
+// A round slate peg along z behind the point `front`.
 void addPeg(View& view, const Vec<double>& front, double radius);
 
 // A profile, radius and height (m) of each ring from below, turned around y.
