@@ -1,4 +1,6 @@
 #include "bench/air.h"
+#include "bench/broadphase.h"
+#include "bench/ccd.h"
 #include "bench/core.h"
 #include "bench/scene.h"
 #include "commands.h"
@@ -11,13 +13,17 @@ namespace {
 
 int bench(const Arguments& arguments) {
     const std::string what = arguments.operands.empty() ? "core" : arguments.operands[0];
-    std::vector<std::string> names{"core", "air"};
+    std::vector<std::string> names{"core", "air", "ccd", "broadphase"};
     for (const SceneEntry& entry : scenes()) names.push_back(entry.name);
     switch (parseChoice("bench", what, names)) {
         case 0:
             return benchCore();
         case 1:
             return benchAir();
+        case 2:
+            return benchCcd();
+        case 3:
+            return benchBroadPhase();
         default:
             return benchScene(what, requestedThreads(arguments));
     }
@@ -26,13 +32,14 @@ int bench(const Arguments& arguments) {
 }  // namespace
 
 Command benchCommand() {
-    return {
-        .name = "bench",
-        .operands = {"[core|air|SCENE]"},
-        .meaning = "prints speeds: of a constraint, of the air, or of a scene from numbers to film",
-        .options = {threadsOption()},
-        .examples = {"bench core", "bench hanging-sheet"},
-        .run = bench};
+    return {.name = "bench",
+            .operands = {"[core|air|ccd|broadphase|SCENE]"},
+            .meaning =
+                "prints speeds: of a constraint, of the air, of collision queries, of the broad "
+                "phase, or of a scene from numbers to film",
+            .options = {threadsOption()},
+            .examples = {"bench core", "bench hanging-sheet"},
+            .run = bench};
 }
 
 }  // namespace plait

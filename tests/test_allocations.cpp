@@ -1,12 +1,16 @@
-// The solver allocates nothing while it steps. Apart, because this replaces operator new: under the
-// thread sanitizer, whose own cannot be replaced, the file is left out of the build.
+// The solver allocates nothing while it steps, nor does the broad phase. Apart, because this
+// replaces operator new: under the thread sanitizer, whose own cannot be replaced, the file is left
+// out of the build.
 #include <atomic>
 #include <cstdlib>
 #include <new>
 
 #include "catch.h"
+#include "core/collision/hash_grid.h"
+#include "core/collision/kdop_tree.h"
 #include "scene.h"
 #include "solver.h"
+#include "soup.h"
 
 using namespace plait;
 
@@ -76,4 +80,28 @@ TEST_CASE("solver: a frame allocates nothing after the first", "[solver]") {
     delete new int(1);
     counting = false;
     REQUIRE(allocations == 1);  // the counter counts
+}
+
+TEST_CASE("broad phase: a substep like the last one allocates nothing", "[broadphase]") {
+    const test::Soup soup = test::soups(4000)[0];
+    for (const int threads : {1, 2}) {
+        Workers workers(threads);
+        Candidates found;
+        KDopTree<18> tree(soup.count(), soup.bounds<18>(), workers);
+        HashGrid grid;
+        const auto substep = [&] {
+            tree.refit(soup.bounds<18>(), workers);
+            tree.selfPairs(found, workers);
+            tree.pairs(tree, found, workers);
+            grid.build(soup.count(), soup.bounds<6>(), workers);
+            grid.selfPairs(found, workers);
+        };
+        substep();
+        allocations = 0;
+        counting = true;
+        substep();
+        counting = false;
+        INFO(threads << " threads");
+        CHECK(allocations == 0);
+    }
 }

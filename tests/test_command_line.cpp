@@ -143,6 +143,23 @@ TEST_CASE("a frame rate looks more often and changes no substep", "[program]") {
     CHECK(contains(settings({"--fps", "30000/1001"}), "fps=30000/1001\n"));
 }
 
+namespace {
+
+void checkAll(const std::string& quality) {
+    const TemporaryFolder folder;
+    for (const SceneEntry& entry : scenes()) {
+        const Outcome check = plait::test::plait(folder, {"check", entry.name, "-q", quality});
+        INFO(entry.name << "\n" << check.out << check.err);
+        CHECK(check.status == 0);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("every scene keeps to its bands at draft", "[program]") { checkAll("draft"); }
+
+TEST_CASE("every scene keeps to its bands at preview", "[program][long]") { checkAll("preview"); }
+
 TEST_CASE("check holds a scene and a run to their bands", "[program]") {
     const TemporaryFolder folder;
     const Outcome scene = plait::test::plait(folder, {"check", "pendulum", "-q", "draft"});

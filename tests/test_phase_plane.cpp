@@ -84,7 +84,7 @@ TEST_CASE("phase plane: a slide and its page", "[phase]") {
         }
     }
     const ScratchFolder folder;
-    writePhasePlane(folder / "phase-plane");
+    writePhasePlane(folder / "phase-plane", true);
     CHECK(folder.count() == 1);
     for (const char* name : {"chart.svg", "chart.png", "index.html"})
         CHECK(std::filesystem::file_size(folder / "phase-plane" / name) > 1000);

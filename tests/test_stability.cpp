@@ -177,6 +177,7 @@ TEST_CASE("stability: boundaries stay where they are", "[stability]") {
     checkMap("chain-length", {}, 3);
     checkMap("rotation", {}, 2);
     checkMap("stiffness-ratio", {"xpbd"}, 2);
+    checkMap("step-stiffness", {"explicit", "symplectic", "xpbd"}, 2);
 }
 
 TEST_CASE("stability: every boundary stays where it is", "[stability][long]") {
@@ -196,4 +197,5 @@ TEST_CASE("stability: maps by name", "[stability][program]") {
     CHECK(wrong.out.empty());
     CHECK(wrong.err.find("nearest: chain-length") != std::string::npos);
     CHECK(std::count(wrong.err.begin(), wrong.err.end(), '\n') == 1);
+    CHECK(plait::test::plait(folder, {"stability", "rotation", "--jobs", "0"}).status == exitUsage);
 }

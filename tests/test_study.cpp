@@ -68,14 +68,23 @@ TEST_CASE("the default's work is held against the least that does as well", "[st
     std::vector<StudyPoint> points{made("a", 100, 1, 0.1), made("a", 200, 2, 0.01),
                                    made("b", 150, 3, 0.02), made("b", 10, 1, 3)};
     points[1].isDefault = true;
-    CHECK(defaultExcess(points) == 1);
+    CHECK(defaultExcess(twoCurves, points) == 1);
     points[1].isDefault = false;
     points.push_back(made("", 300, 1, 0.02));
     points.back().isDefault = true;
-    CHECK(defaultExcess(points) == 2);  // b reaches 0.02 with 150
+    CHECK(defaultExcess(twoCurves, points) == 2);  // b reaches 0.02 with 150
     points.push_back(made("b", 1, 1, 0.001));
     points.back().ending = "diverged";
-    CHECK(defaultExcess(points) == 2);  // what diverged reaches nothing
+    CHECK(defaultExcess(twoCurves, points) == 2);  // what diverged reaches nothing
+    points[4].errors = {0.05};
+    // Between 100 and 200 a falls as the power -log2(10) of its work.
+    CHECK(std::fabs(defaultExcess(twoCurves, points) - 3 / std::exp2(std::log10(2))) < 1e-12);
+    Study flawed = twoCurves;
+    flawed.curves[0].flaw = "it may burst";
+    CHECK(defaultExcess(flawed, points) == 2);
+    const auto lines = findings(flawed, points);
+    REQUIRE(lines.size() == 1);
+    CHECK(contains(lines[0], "a reaches the default's error with 0.41 of its work, but it may"));
 }
 
 TEST_CASE("a curve that more work makes worse is a finding", "[study]") {
@@ -158,6 +167,13 @@ TEST_CASE("a finished task is not run again, one of other settings is", "[study]
     CHECK(executeAll(study, tasks, reference, kept, 1, true) == 1);
     writeWhole(kept.rowPath(tasks[0]), "half");
     CHECK(executeAll(study, tasks, reference, kept, 1, true) == 1);
+    kept.clear(wordOf(tasks[1]));
+    CHECK(kept.rows().size() == 2);
+    CHECK_FALSE(kept.done(tasks[1]));
+    writeWhole(kept.path() / "rows" / "notes", "not ours");
+    kept.clear("");
+    CHECK(kept.rows().empty());
+    CHECK(std::filesystem::exists(kept.path() / "rows" / "notes"));
 }
 
 TEST_CASE("a reference is kept, and found again for another model", "[study]") {
@@ -268,7 +284,7 @@ double excessOf(const std::string& name, const std::vector<std::string>& curves)
                         .errors = study.measure(study, run, recording, reference),
                         .hash = recording.hash});
     }
-    return defaultExcess(pointsOf(study, rows));
+    return defaultExcess(study, pointsOf(study, rows));
 }
 
 }  // namespace
@@ -291,6 +307,9 @@ TEST_CASE("study, from outside", "[study][program]") {
     };
     CHECK(contains(study({}).out, "pendulum"));
     CHECK(study({"pendulm"}).status == 2);
+    CHECK(contains(study({"certifcate"}).err, "nearest: certificate"));
+    CHECK(study({"certificate", "--repeats", "2"}).status == 2);
+    CHECK(study({"pendulum", "--collect", "--force", "--out", out}).status == 2);
     CHECK(study({"pendulum", "--task", "substep=3", "--out", out}).status == 2);
     const Outcome tasks =
         study({"unit-spring", "--out", out, "--tasks", (folder / "tasks").string()});
@@ -302,6 +321,9 @@ TEST_CASE("study, from outside", "[study][program]") {
     const Outcome once = study({"unit-spring", "--out", out, "--task", word});
     REQUIRE(once.status == 0);
     CHECK(study({"unit-spring", "--out", out, "--task", word}).out == once.out);
+    const Outcome again = study({"unit-spring", "--out", out, "--task", word, "--force"});
+    CHECK(again.status == 0);
+    CHECK(again.out != once.out);  // times differ
     const Outcome report = study({"unit-spring", "--out", out, "--collect"});
     INFO(report.out << report.err);
     REQUIRE(report.status == 0);
@@ -309,5 +331,7 @@ TEST_CASE("study, from outside", "[study][program]") {
     for (const char* file : {"points.csv", "chart.svg", "chart.png", "chart-work.svg",
                              "chart-energy.svg", "index.html"})
         CHECK(std::filesystem::exists(std::filesystem::path(out) / file));
-    CHECK(contents(std::filesystem::path(out) / "points.csv") == once.out);
+    CHECK(contents(std::filesystem::path(out) / "points.csv") == again.out);
+    CHECK(contains(contents(std::filesystem::path(out) / "index.html"),
+                   "build/plait study unit-spring --out " + out + " --collect"));
 }

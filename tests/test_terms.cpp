@@ -114,14 +114,16 @@ TEMPLATE_LIST_TEST_CASE("terms: some of a set are what they are in all of it", "
     constexpr int arity = TestType::arity;
     for (int n = 0; n < 3; ++n) {
         CHECK(some.value[n] == all.value[which[n]]);
-        CHECK(some.compliance[n] == all.compliance[which[n]]);
+        CHECK(some.above[n] == all.above[which[n]]);
+        CHECK(some.below[n] == all.below[which[n]]);
         for (int a = 0; a < arity; ++a) {
             CHECK(some.ids[arity * n + a] == all.ids[arity * which[n] + a]);
             CHECK(some.gradient[arity * n + a] == all.gradient[arity * which[n] + a]);
             CHECK(some.block(n, a, 0)[0] == all.block(which[n], a, 0)[0]);
         }
-        CHECK(all.compliance[which[n]] ==
-              (all.value[which[n]] > 0 ? all.above : all.below)[which[n]]);
+        const auto& row = sample.rows.rows[static_cast<std::size_t>(which[n])];
+        CHECK(some.compliance(n) == TestType::compliance(row, some.value[n]));
+        CHECK(some.compliance(n, -1) == TestType::compliance(row, -1.0));
     }
 }
 
@@ -161,7 +163,8 @@ TEMPLATE_TEST_CASE("terms: links give the same whoever solves them", "[terms]", 
     for (int s = 1; s < 3; ++s) {
         CHECK(terms[s].ids == terms[0].ids);
         CHECK(terms[s].value == terms[0].value);
-        CHECK(terms[s].compliance == terms[0].compliance);
+        CHECK(terms[s].above == terms[0].above);
+        CHECK(terms[s].below == terms[0].below);
         CHECK(terms[s].gradient == terms[0].gradient);
         CHECK(terms[s].curvature == terms[0].curvature);
     }
