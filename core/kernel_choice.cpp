@@ -7,24 +7,17 @@
 
 namespace plait {
 
-const KernelTable<float>* floatKernels_v2(int lanes);
-const KernelTable<float>* floatKernels_v3(int lanes);
-const KernelTable<float>* floatKernels_v4(int lanes);
-const KernelTable<double>* doubleKernels_v2();
-const KernelTable<double>* doubleKernels_v3();
-const KernelTable<double>* doubleKernels_v4();
-const AirTable<float>* floatAir_v2(int lanes);
-const AirTable<float>* floatAir_v3(int lanes);
-const AirTable<float>* floatAir_v4(int lanes);
-const AirTable<double>* doubleAir_v2();
-const AirTable<double>* doubleAir_v3();
-const AirTable<double>* doubleAir_v4();
-const StrandTable<float>* floatStrands_v2(int lanes);
-const StrandTable<float>* floatStrands_v3(int lanes);
-const StrandTable<float>* floatStrands_v4(int lanes);
-const StrandTable<double>* doubleStrands_v2();
-const StrandTable<double>* doubleStrands_v3();
-const StrandTable<double>* doubleStrands_v4();
+// The three copies of each; those in lanes have none for some widths.
+template <class Table>
+using ByLanes = const Table*(int lanes);
+template <class Table>
+using Single = const Table*();
+ByLanes<KernelTable<float>> floatKernels_v2, floatKernels_v3, floatKernels_v4;
+Single<KernelTable<double>> doubleKernels_v2, doubleKernels_v3, doubleKernels_v4;
+ByLanes<AirTable<float>> floatAir_v2, floatAir_v3, floatAir_v4;
+Single<AirTable<double>> doubleAir_v2, doubleAir_v3, doubleAir_v4;
+ByLanes<StrandTable<float>> floatStrands_v2, floatStrands_v3, floatStrands_v4;
+Single<StrandTable<double>> doubleStrands_v2, doubleStrands_v3, doubleStrands_v4;
 
 namespace {
 
@@ -38,16 +31,18 @@ bool runs(Isa isa) {
     return isa == Isa::v2 || (isa == Isa::v3 && v3) || (isa == Isa::v4 && v4);
 }
 
-const KernelTable<float>* find(KernelChoice choice) {
-    if (!runs(choice.isa)) return nullptr;
-    if (choice.isa == Isa::v2) return floatKernels_v2(choice.lanes);
-    return choice.isa == Isa::v3 ? floatKernels_v3(choice.lanes) : floatKernels_v4(choice.lanes);
+template <class Copy>
+Copy* copyFor(Isa isa, Copy* v2, Copy* v3, Copy* v4) {
+    return isa == Isa::v2 ? v2 : isa == Isa::v3 ? v3 : v4;
 }
 
-[[noreturn]] void refuse(KernelChoice choice) {
-    throw std::invalid_argument("no kernels for x86-64-v" +
-                                std::to_string(static_cast<int>(choice.isa) + 2) + " with " +
-                                std::to_string(choice.lanes) + " lanes on this machine");
+template <class Copy>
+Copy* chosen(KernelChoice choice, Copy* v2, Copy* v3, Copy* v4) {
+    if (!available(choice))
+        throw std::invalid_argument("no kernels for x86-64-v" +
+                                    std::to_string(static_cast<int>(choice.isa) + 2) + " with " +
+                                    std::to_string(choice.lanes) + " lanes on this machine");
+    return copyFor(choice.isa, v2, v3, v4);
 }
 
 }  // namespace
@@ -58,48 +53,37 @@ KernelChoice bestKernels() {
     return runs(Isa::v3) ? KernelChoice{Isa::v3, 8} : KernelChoice{Isa::v2, 4};
 }
 
-bool available(KernelChoice choice) { return find(choice) != nullptr; }
+bool available(KernelChoice choice) {
+    return runs(choice.isa) &&
+           copyFor(choice.isa, floatKernels_v2, floatKernels_v3, floatKernels_v4)(choice.lanes);
+}
 
 const KernelTable<float>& floatKernels(KernelChoice choice, int kind) {
-    const KernelTable<float>* tables = find(choice);
-    if (!tables) refuse(choice);
-    return tables[kind];
+    return chosen(choice, floatKernels_v2, floatKernels_v3, floatKernels_v4)(choice.lanes)[kind];
 }
 
 const KernelTable<double>& doubleKernels(KernelChoice choice, int kind) {
-    if (!available(choice)) refuse(choice);
-    const KernelTable<double>* tables = choice.isa == Isa::v2   ? doubleKernels_v2()
-                                        : choice.isa == Isa::v3 ? doubleKernels_v3()
-                                                                : doubleKernels_v4();
-    return tables[kind];
+    return chosen(choice, doubleKernels_v2, doubleKernels_v3, doubleKernels_v4)()[kind];
 }
 
 template <>
 const AirTable<float>& airKernels<float>(KernelChoice choice) {
-    if (!available(choice)) refuse(choice);
-    if (choice.isa == Isa::v2) return *floatAir_v2(choice.lanes);
-    return choice.isa == Isa::v3 ? *floatAir_v3(choice.lanes) : *floatAir_v4(choice.lanes);
+    return *chosen(choice, floatAir_v2, floatAir_v3, floatAir_v4)(choice.lanes);
 }
 
 template <>
 const AirTable<double>& airKernels<double>(KernelChoice choice) {
-    if (!available(choice)) refuse(choice);
-    if (choice.isa == Isa::v2) return *doubleAir_v2();
-    return choice.isa == Isa::v3 ? *doubleAir_v3() : *doubleAir_v4();
+    return *chosen(choice, doubleAir_v2, doubleAir_v3, doubleAir_v4)();
 }
 
 template <>
 const StrandTable<float>& strandKernels<float>(KernelChoice choice) {
-    if (!available(choice)) refuse(choice);
-    if (choice.isa == Isa::v2) return *floatStrands_v2(choice.lanes);
-    return choice.isa == Isa::v3 ? *floatStrands_v3(choice.lanes) : *floatStrands_v4(choice.lanes);
+    return *chosen(choice, floatStrands_v2, floatStrands_v3, floatStrands_v4)(choice.lanes);
 }
 
 template <>
 const StrandTable<double>& strandKernels<double>(KernelChoice choice) {
-    if (!available(choice)) refuse(choice);
-    if (choice.isa == Isa::v2) return *doubleStrands_v2();
-    return choice.isa == Isa::v3 ? *doubleStrands_v3() : *doubleStrands_v4();
+    return *chosen(choice, doubleStrands_v2, doubleStrands_v3, doubleStrands_v4)();
 }
 
 }  // namespace plait

@@ -19,12 +19,16 @@ struct Terms {
     int arity = 0;
     std::vector<int> ids;
     std::vector<Real> value;         // C
-    std::vector<Real> compliance;    // on the side where C lies; from `slack` on it does not act
-    std::vector<Real> above, below;  // the same for C > 0 and C < 0
+    std::vector<Real> above, below;  // compliance where C > 0, and else; from `slack` on none acts
     std::vector<Vec<Real>> gradient;
     std::vector<Real> curvature;  // d2C / dx2
 
     int size() const { return static_cast<int>(value.size()); }
+    // On the side where C lies, or where `side` does in its place.
+    Real compliance(int n) const { return compliance(n, value[n]); }
+    Real compliance(int n, Real side) const { return side > Real(0) ? above[n] : below[n]; }
+    // On either side.
+    bool rigid(int n) const { return !(above[n] > Real(0) && below[n] > Real(0)); }
     // The 3 x 3 block of vertices a and b in the second derivatives of constraint n; its rows are
     // 3 arity numbers apart.
     const Real* block(int n, int a, int b) const {
@@ -37,7 +41,6 @@ struct Terms {
         const std::size_t n = constraints, a = vertices;
         ids.resize(n * a);
         value.resize(n);
-        compliance.resize(n);
         above.resize(n);
         below.resize(n);
         gradient.resize(n * a);
@@ -93,7 +96,6 @@ void setTerm(Terms<Real>& terms, int i, const int* ids,
     const auto x = located<Kind>(state, ids, row);
     Stencil<Vec<Real>, arity> gradient;
     terms.value[i] = Kind::evaluate(row, x, gradient);
-    terms.compliance[i] = Kind::compliance(row, terms.value[i]);
     terms.above[i] = Kind::compliance(row, Real(1));
     terms.below[i] = Kind::compliance(row, Real(-1));
     for (int a = 0; a < arity; ++a) {

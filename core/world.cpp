@@ -85,10 +85,7 @@ void World::strand(const Rows<Stretch>& set, SetOptions options) {
         checkNumbers(name, numbersOf(set));
         return std::make_unique<StrandSet<Real>>(set, world.rest, kernels);
     };
-    constrain(
-        {[make](const World& w, KernelChoice k) { return make.template operator()<float>(w, k); },
-         [make](const World& w, KernelChoice k) { return make.template operator()<double>(w, k); }},
-        std::move(options));
+    constrain(recipeOf<Constraint>(make), std::move(options));
 }
 
 void World::aggregate(const Rows<Stretch>& set, SetOptions options, int fewest) {
@@ -106,10 +103,7 @@ void World::aggregate(const Rows<Stretch>& set, SetOptions options, int fewest) 
         return std::make_unique<AggregateSet<Real>>(
             plait::aggregate(std::move(masses), world.rest, std::move(links), fewest), kernels);
     };
-    constrain(
-        {[make](const World& w, KernelChoice k) { return make.template operator()<float>(w, k); },
-         [make](const World& w, KernelChoice k) { return make.template operator()<double>(w, k); }},
-        std::move(options));
+    constrain(recipeOf<Constraint>(make), std::move(options));
 }
 
 void World::constrain(Recipe<Constraint> recipe, SetOptions options, bool contact) {

@@ -40,20 +40,30 @@ struct SetOptions {
     bool direct = false;        // solved at once in O(N); for links that form chains and trees
 };
 
+struct World;
+
 // Anything that can be made in either precision.
 template <template <class> class Base>
 struct Recipe {
-    std::function<std::unique_ptr<Base<float>>(const struct World&, KernelChoice)> single;
-    std::function<std::unique_ptr<Base<double>>(const struct World&, KernelChoice)> full;
+    std::function<std::unique_ptr<Base<float>>(const World&, KernelChoice)> single;
+    std::function<std::unique_ptr<Base<double>>(const World&, KernelChoice)> full;
 
     template <class Real>
-    std::unique_ptr<Base<Real>> make(const struct World& world, KernelChoice kernels) const {
+    std::unique_ptr<Base<Real>> make(const World& world, KernelChoice kernels) const {
         if constexpr (std::is_same_v<Real, float>)
             return single(world, kernels);
         else
             return full(world, kernels);
     }
 };
+
+// That of a generic lambda, make<Real>(world, kernels).
+template <template <class> class Base, class Make>
+Recipe<Base> recipeOf(const Make& make) {
+    return {
+        [make](const World& w, KernelChoice k) { return make.template operator()<float>(w, k); },
+        [make](const World& w, KernelChoice k) { return make.template operator()<double>(w, k); }};
+}
 
 struct World {
     SimplicialComplex complex;
@@ -130,10 +140,7 @@ void World::constrain(Rows<Kind> rows, SetOptions options) {
         const int padding = static_cast<int>(world.start.size());
         return std::make_unique<ConstraintSet<Kind, Real>>(rows, padding, kernels);
     };
-    constrain(
-        {[make](const World& w, KernelChoice k) { return make.template operator()<float>(w, k); },
-         [make](const World& w, KernelChoice k) { return make.template operator()<double>(w, k); }},
-        std::move(options), requires { Kind::contact; });
+    constrain(recipeOf<Constraint>(make), std::move(options), requires { Kind::contact; });
 }
 
 template <template <class> class F, class Options>
@@ -145,11 +152,7 @@ void World::act(Options options) {
         else
             return std::make_unique<F<Real>>(world, options);
     };
-    forces.push_back(
-        {[make](const World& w, KernelChoice k) { return make.template operator()<float>(w, k); },
-         [make](const World& w, KernelChoice k) {
-             return make.template operator()<double>(w, k);
-         }});
+    forces.push_back(recipeOf<Force>(make));
 }
 
 }  // namespace plait

@@ -19,6 +19,7 @@ struct Option {
 struct Arguments {
     std::vector<std::string> operands;
     std::map<std::string, std::vector<std::string>> options;  // by name; a flag's value is ""
+    std::string line;  // "build/plait run flag": all of it, for a shell
 
     bool has(const std::string& name) const { return options.contains(name); }
     // The last value given, or `otherwise`.

@@ -17,15 +17,12 @@ int listMaps() {
 }
 
 // Stores the boundaries, and says which have moved.
-void bless(const StabilityMap& map, const std::vector<Boundary>& boundaries) {
-    const std::filesystem::path folder = "golden/stability", path = folder / (map.name + ".csv");
-    if (!std::filesystem::is_directory("golden"))
-        throw FileError("golden: no such folder here; bless from the root of the sources");
+void bless(const StabilityMap& map, const std::vector<Boundary>& boundaries,
+           const std::filesystem::path& path) {
     if (std::filesystem::exists(path))
         for (const std::string& line :
              complaints(map, boundariesFrom(readWhole(path), path.string()), boundaries))
             std::printf("%s\n", line.c_str());
-    makeFolder(folder);
     writeWhole(path, csvOf(boundaries));
     std::printf("%s\n", path.c_str());
 }
@@ -37,16 +34,18 @@ int stability(const Arguments& given) {
         parseChoice("--quality", given.value("quality", "draft"), {"draft", "preview", "final"});
     const int cells = quality == 0 ? 9 : quality == 1 ? 19 : 37;
     const int jobs = static_cast<int>(parseInteger("--jobs", given.value("jobs", "1"), 1, 1024));
-    const std::string folder = given.value("out", "out/stability/" + map.name);
-    std::string command = "build/plait stability " + map.name;
-    for (const auto& [option, values] : given.options)
-        command += " --" + option + (values[0].empty() ? "" : " " + values[0]);
+    const std::filesystem::path stored = "golden/stability/" + map.name + ".csv";
+    if (given.has("bless") && !std::filesystem::is_directory(stored.parent_path()))
+        throw FileError(
+            "golden/stability: no such folder here; bless from the root of the sources");
+    const std::filesystem::path folder = given.value("out", "out/stability/" + map.name);
+    makeFolder(folder);
     const Atlas atlas = workOut(map, cells, jobs, given.has("quiet"));
-    writeAtlas(map, atlas, folder, command);
+    writeAtlas(map, atlas, folder, given.line);
     if (!given.has("quiet"))
-        std::printf("%s\n%s/index.html\n", boundaryText(map, atlas.boundaries).c_str(),
-                    folder.c_str());
-    if (given.has("bless")) bless(map, atlas.boundaries);
+        std::printf("%s\n%s\n", boundaryText(map, atlas.boundaries).c_str(),
+                    (folder / "index.html").c_str());
+    if (given.has("bless")) bless(map, atlas.boundaries, stored);
     return exitOk;
 }
 

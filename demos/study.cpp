@@ -2,6 +2,7 @@
 #include "errors.h"
 #include "files.h"
 #include "study/certificate.h"
+#include "study/collision.h"
 #include "study/phase_plane.h"
 #include "study/reference.h"
 #include "study/report.h"
@@ -13,30 +14,28 @@
 namespace plait {
 namespace {
 
+// Closed forms instead of a reference, and nothing to sweep.
+struct ClosedForms {
+    const char *name, *title;
+    void (*write)(const std::filesystem::path& folder, bool quiet);
+};
+constexpr ClosedForms closedForms[] = {{"phase-plane", phasePlaneTitle, writePhasePlane},
+                                       {"certificate", certificateTitle, writeCertificate},
+                                       {"collision", collisionTitle, writeCollision}};
+
 int listStudies() {
     for (const Study& study : studies())
         std::printf("%-20s %s\n", study.name.c_str(), study.title.c_str());
-    std::printf("%-20s %s\n", "phase-plane", phasePlaneFigure().title.c_str());
-    std::printf("%-20s %s\n", "certificate", certificateTitle);
+    for (const ClosedForms& study : closedForms) std::printf("%-20s %s\n", study.name, study.title);
     return exitOk;
 }
 
-// Closed forms instead of a reference, and nothing to sweep.
-int phasePlane(const Arguments& given) {
+int compareToClosedForms(const ClosedForms& study, const Arguments& given) {
+    const std::string name = study.name;
     for (const auto& [option, values] : given.options)
         if (option != "out" && option != "quiet")
-            throw UsageError("--" + option + ": phase-plane has nothing to sweep");
-    const std::filesystem::path folder = given.value("out", "out/study/phase-plane");
-    writePhasePlane(folder);
-    if (!given.has("quiet")) std::printf("%s\n", (folder / "index.html").c_str());
-    return exitOk;
-}
-
-int certificate(const Arguments& given) {
-    for (const auto& [option, values] : given.options)
-        if (option != "out" && option != "quiet")
-            throw UsageError("--" + option + ": certificate has nothing to sweep");
-    writeCertificate(given.value("out", "out/study/certificate"), given.has("quiet"));
+            throw UsageError("--" + option + ": " + name + " has nothing to sweep");
+    study.write(given.value("out", "out/study/" + name), given.has("quiet"));
     return exitOk;
 }
 
@@ -59,28 +58,35 @@ int runTask(const Study& study, const StudyFolder& folder, const std::string& wo
     return exitOk;
 }
 
-int study(const Arguments& given) {
-    if (given.operands.empty()) return listStudies();
-    if (given.operands[0] == "phase-plane") return phasePlane(given);
-    if (given.operands[0] == "certificate") return certificate(given);
-    const Study& study = studyNamed(given.operands[0]);
+int sweep(const Study& study, const Arguments& given) {
     const int repeats =
         static_cast<int>(parseInteger("--repeats", given.value("repeats", "5"), 1, 1000));
     const int jobs = static_cast<int>(parseInteger("--jobs", given.value("jobs", "1"), 1, 1024));
     const std::vector<StudyTask> tasks = tasksOf(study, repeats);
+    const bool runs = !given.has("tasks") && !given.has("collect");
+    if (given.has("force") && !runs) throw UsageError("--force: nothing is run here");
     if (given.has("tasks")) return writeTasks(study, tasks, given);
     const StudyFolder folder(study, given.value("out", "out/study/" + study.name));
+    if (given.has("force")) folder.clear(given.value("task"));
     if (given.has("task")) return runTask(study, folder, given.value("task"));
     const bool quiet = given.has("quiet");
     const Reference reference = keptReference(study, folder.referencePath());
     if (!quiet) std::printf("%s\n\n", describe(study, reference).c_str());
-    if (!given.has("collect")) executeAll(study, tasks, reference, folder, jobs, quiet);
-    std::string command = "build/plait study " + study.name;
-    for (const auto& [option, values] : given.options)
-        command += " --" + option + (values[0].empty() ? "" : " " + values[0]);
-    const std::string text = writeReport(study, folder.rows(), reference, folder, command);
+    if (runs) executeAll(study, tasks, reference, folder, jobs, quiet);
+    const std::string text = writeReport(study, folder.rows(), reference, folder, given.line);
     if (!quiet) std::printf("%s\n%s\n", text.c_str(), (folder.path() / "index.html").c_str());
     return exitOk;
+}
+
+int study(const Arguments& given) {
+    if (given.operands.empty()) return listStudies();
+    std::vector<std::string> names;
+    for (const Study& study : studies()) names.push_back(study.name);
+    for (const ClosedForms& study : closedForms) names.emplace_back(study.name);
+    const auto chosen = static_cast<std::size_t>(parseChoice("study", given.operands[0], names));
+    const std::size_t swept = studies().size();
+    return chosen < swept ? sweep(studies()[chosen], given)
+                          : compareToClosedForms(closedForms[chosen - swept], given);
 }
 
 }  // namespace
@@ -94,6 +100,7 @@ Command studyCommand() {
                         {"tasks", "FILE", "writes a command a line instead, for any machine"},
                         {"task", "NAME=VALUE,...", "does one of them: these settings"},
                         {"collect", "", "reports what is done and runs nothing"},
+                        {"force", "", "does again what is finished, reference and all"},
                         {"out", "DIR", "where it is kept: out/study/SCENE"},
                         {"quiet", "", "no progress, no closing lines"}},
             .examples = {"study", "study pendulum", "study chain --tasks tasks.txt",

@@ -1,7 +1,7 @@
 #include "web_page.h"
 
+#include "chart.h"
 #include "machine.h"
-#include "study/tables.h"
 
 #include <cstdio>
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plait {
@@ -19,7 +20,7 @@ struct Axis {
 };
 
 enum class Marker { none, disc, square, triangle, diamond, cross, wedge };
-enum class Dash { solid, dashed, dotted, dashDotted, longDashed, none };
+enum class Dash { solid, dashed, dashDotted, dotted, longDashed, none };
 
 // Six colours of the look book that the colour-blind tell apart, 0 to 5; the marker and the dash
 // tell curves apart in black and white.
@@ -46,26 +47,17 @@ struct Curve {
     CurveStyle style = {};
     std::vector<double> low = {}, high = {};  // a band in y, one of each a point; both empty: none
     std::vector<double> failures = {};        // x of runs that failed: marks above the top edge
-    // The point that is used unless another is asked for: ringed, with this label.
-    std::optional<int> highlighted = {};
-    std::string highlight = "default";
-    bool closed = false;  // the last point is joined to the first
+    std::optional<int> highlighted = {};      // the point that is the default: ringed, and told so
+    bool closed = false;                      // the last point is joined to the first
 };
 
 // Cells by category around the values at which they were measured; the cells of an axis meet half
-// way, by ratio on a logarithmic axis.
+// way, by ratio on a logarithmic axis, and fill it: a range of its own is passed over.
 struct HeatMap {
     std::vector<double> x = {}, y = {};  // ascending, at least two of each
-    // x.size() * y.size(), the first row at y[0]; -1: not measured, hatched.
-    std::vector<int> cells = {};
+    std::vector<int> cells = {};         // x.size() * y.size(), the first row at y[0]
     // At most four, from light to dark.
     std::vector<std::string> categories{"ok", "drifting", "exploded", "not finite"};
-};
-
-// Words beside a point, on the side where they hide least; left out where there is no room.
-struct ChartLabel {
-    ChartPoint at;
-    std::string text;
 };
 
 // One pair of axes.
@@ -76,7 +68,6 @@ struct Chart {
     std::vector<Curve> curves = {};
     // Pareto front, drawn as a step line: least x and y first; empty: none.
     std::vector<ChartPoint> front = {};
-    std::vector<ChartLabel> labels = {};
     bool equalScale = false;  // a unit is as long in x as in y
 };
 
@@ -98,6 +89,9 @@ Picture figurePicture(const Figure& figure, double scale = 1.5);
 // Both, as `path`.svg and `path`.png, each whole or not at all. Throws std::runtime_error too,
 // "file: cause".
 void writeFigure(const std::filesystem::path& path, const Figure& figure);
+
+// As it may stand between tags and in quotes, of SVG and HTML: without control characters too.
+std::string escaped(std::string_view text);
 
 // Of the points, those that no other beats in both x and y, by ascending x: of work and error the
 // best that can be had.

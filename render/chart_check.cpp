@@ -10,14 +10,13 @@ namespace {
 struct Checker {
     std::string figure;
 
-    [[noreturn]] void refuse(const std::string& what) const {
-        throw std::invalid_argument("figure " + figure + ": " + what);
+    void require(bool good, const std::string& otherwise) const {
+        if (!good) throw std::invalid_argument("figure " + figure + ": " + otherwise);
     }
 
     void number(double value, const Axis& axis, const std::string& what) const {
-        if (!std::isfinite(value)) refuse(what + " is not finite");
-        if (axis.logarithmic && !(value > 0))
-            refuse(what + " is not positive on a logarithmic axis");
+        require(std::isfinite(value), what + " is not finite");
+        require(!axis.logarithmic || value > 0, what + " is not positive on a logarithmic axis");
     }
 
     void numbers(const std::vector<double>& values, const Axis& axis,
@@ -33,7 +32,7 @@ struct Checker {
     void axis(const Axis& axis, const std::string& what) const {
         if (axis.low) number(*axis.low, axis, "the low end of " + what);
         if (axis.high) number(*axis.high, axis, "the high end of " + what);
-        if (axis.low && axis.high && !(*axis.low < *axis.high)) refuse(what + " has no length");
+        require(!axis.low || !axis.high || *axis.low < *axis.high, what + " has no length");
     }
 
     void curve(const Curve& curve, const Chart& chart) const {
@@ -41,30 +40,32 @@ struct Checker {
         const std::size_t n = curve.points.size();
         for (std::size_t i = 0; i < n; ++i)
             point(curve.points[i], chart, "point " + std::to_string(i) + " of " + name);
-        if (curve.low.size() != curve.high.size() || (!curve.low.empty() && curve.low.size() != n))
-            refuse("the band of " + name + " has not one pair a point");
+        const std::size_t pairs = curve.low.size();
+        require(pairs == curve.high.size() && (pairs == 0 || pairs == n),
+                "the band of " + name + " has not one pair a point");
         numbers(curve.low, chart.y, "the band of " + name);
         numbers(curve.high, chart.y, "the band of " + name);
         numbers(curve.failures, chart.x, "a failure of " + name);
-        if (curve.highlighted &&
-            (*curve.highlighted < 0 || static_cast<std::size_t>(*curve.highlighted) >= n))
-            refuse("the highlighted point of " + name + " is none of its points");
-        if (curve.style.color < 0) refuse("the colour of " + name + " is negative");
+        const int chosen = curve.highlighted.value_or(0);
+        require(!curve.highlighted || (chosen >= 0 && static_cast<std::size_t>(chosen) < n),
+                "the highlighted point of " + name + " is none of its points");
+        require(curve.style.color >= 0, "the colour of " + name + " is negative");
     }
 
     void map(const HeatMap& map, const Chart& chart) const {
         for (const auto& [values, axis] : {std::pair(&map.x, &chart.x), {&map.y, &chart.y}}) {
             numbers(*values, *axis, "a value of the map");
-            if (values->size() < 2 || std::adjacent_find(values->begin(), values->end(),
-                                                         std::greater_equal<>()) != values->end())
-                refuse("the values of the map do not ascend");
+            require(
+                values->size() >= 2 && std::adjacent_find(values->begin(), values->end(),
+                                                          std::greater_equal<>()) == values->end(),
+                "the values of the map do not ascend");
         }
-        if (map.cells.size() != map.x.size() * map.y.size())
-            refuse("the map has not one cell for each pair of values");
+        require(map.cells.size() == map.x.size() * map.y.size(),
+                "the map has not one cell for each pair of values");
         const int count = static_cast<int>(map.categories.size());
-        if (count > 4) refuse("the map has more than four categories");
+        require(count <= 4, "the map has more than four categories");
         for (const int cell : map.cells)
-            if (cell < -1 || cell >= count) refuse("a cell of the map has no category");
+            require(cell >= 0 && cell < count, "a cell of the map has no category");
     }
 
     void chart(const Chart& chart) const {
@@ -72,15 +73,14 @@ struct Checker {
         axis(chart.y, "the y axis");
         for (const Curve& c : chart.curves) curve(c, chart);
         for (const ChartPoint& p : chart.front) point(p, chart, "the front");
-        for (const ChartLabel& label : chart.labels) point(label.at, chart, "label " + label.text);
         if (chart.map) map(*chart.map, chart);
         const bool drawn =
             chart.map || std::any_of(chart.curves.begin(), chart.curves.end(), [](const Curve& c) {
                 return !c.points.empty() || !c.failures.empty();
             });
-        if (!drawn) refuse("chart " + chart.title + " has nothing to draw");
-        if (chart.equalScale && (chart.x.logarithmic || chart.y.logarithmic))
-            refuse("equal scales want linear axes");
+        require(drawn, "chart " + chart.title + " has nothing to draw");
+        require(!chart.equalScale || !(chart.x.logarithmic || chart.y.logarithmic),
+                "equal scales want linear axes");
     }
 };
 
@@ -88,9 +88,9 @@ struct Checker {
 
 void checkFigure(const Figure& figure) {
     const Checker check{figure.title};
-    if (figure.charts.empty()) check.refuse("no charts");
-    if (figure.columns < 1) check.refuse("no columns");
-    if (figure.width < 320 || figure.height < 240) check.refuse("smaller than 320 x 240");
+    check.require(!figure.charts.empty(), "no charts");
+    check.require(figure.columns >= 1, "no columns");
+    check.require(figure.width >= 320 && figure.height >= 240, "smaller than 320 x 240");
     for (const Chart& chart : figure.charts) check.chart(chart);
 }
 

@@ -1,43 +1,58 @@
 #include "chart_parts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace plait {
 namespace {
 
-// Where cells end, px: half way between values, which is by ratio on a logarithmic axis, but not
-// outside of the plot; the outer ones are as wide as their neighbour.
-std::vector<double> edges(const std::vector<double>& values, const AxisScale& scale) {
-    std::vector<double> result;
-    const std::size_t n = values.size();
-    const auto at = [&](std::size_t i) { return scale(values[i]); };
-    result.push_back(at(0) - (at(1) - at(0)) / 2);
-    for (std::size_t i = 0; i + 1 < n; ++i) result.push_back((at(i) + at(i + 1)) / 2);
-    result.push_back(at(n - 1) + (at(n - 1) - at(n - 2)) / 2);
-    const auto [low, high] = std::minmax(scale.from, scale.to);
-    for (double& edge : result) edge = std::clamp(edge, low, high);
+// What of a line lies in the box.
+std::vector<std::vector<PagePoint>> clipped(std::span<const PagePoint> points, const Box& box) {
+    std::vector<std::vector<PagePoint>> result;
+    bool goesOn = false;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const PagePoint a = points[i], b = points[i + 1];
+        if (a.x == b.x && a.y == b.y) continue;  // a join without a direction
+        const auto [first, last] = inside(a, b, box);
+        if (first < last) {
+            if (!goesOn || first > 0) result.push_back({between(a, b, first)});
+            result.back().push_back(between(a, b, last));
+        }
+        goesOn = first < last && last == 1;
+    }
     return result;
 }
 
-std::vector<PagePoint> placed(std::span<const ChartPoint> points, const Plot& plot) {
-    std::vector<PagePoint> result;
-    for (const ChartPoint& point : points) result.push_back(plot(point));
-    return result;
+// The same of an area, side by side (Sutherland and Hodgman 1974).
+std::vector<PagePoint> clippedArea(std::vector<PagePoint> points, const Box& box) {
+    const auto cut = [&](auto distance) {
+        std::vector<PagePoint> kept;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const PagePoint a = points[i], b = points[(i + 1) % points.size()];
+            const double from = distance(a), to = distance(b);
+            if (from >= 0) kept.push_back(a);
+            if ((from < 0) != (to < 0)) kept.push_back(between(a, b, from / (from - to)));
+        }
+        points = std::move(kept);
+    };
+    cut([&](PagePoint p) { return p.x - box.left; });
+    cut([&](PagePoint p) { return box.right - p.x; });
+    cut([&](PagePoint p) { return p.y - box.top; });
+    cut([&](PagePoint p) { return box.bottom - p.y; });
+    return points;
 }
 
 // On a map with a light edge, as its markers: dark cells would swallow it.
 void addCurve(Drawing& drawing, const Curve& curve, const Plot& plot, bool onMap, double width) {
     if (curve.style.dash == Dash::none) return;
-    std::vector<PagePoint> points = placed(curve.points, plot);
+    std::vector<PagePoint> points;
+    for (const ChartPoint& point : curve.points) points.push_back(plot(point));
     if (curve.closed && !points.empty()) points.push_back(points.front());
-    const auto lines = clippedLine(points, plot.box);
-    if (onMap)
-        for (const auto& line : lines)
-            drawing.items.emplace_back(Stroke{line, false, chartGround, 2.4 * width, {}});
+    const auto lines = clipped(points, plot.box);
     std::vector<double> dash = dashPattern(curve.style.dash);
     for (double& length : dash) length *= width / 3;
+    for (const auto& line : lines)
+        if (onMap) drawing.items.emplace_back(Stroke{line, false, chartGround, 2.4 * width, {}});
     for (const auto& line : lines)
         drawing.items.emplace_back(Stroke{line, false, curveColor(curve.style.color), width, dash});
 }
@@ -64,36 +79,35 @@ void addFront(Drawing& drawing, std::span<const ChartPoint> front, const Plot& p
         stairs.push_back(p);
     }
     stairs.push_back({plot.box.right, stairs.back().y});
-    for (auto& line : clippedLine(stairs, plot.box))
+    for (auto& line : clipped(stairs, plot.box))
         drawing.items.emplace_back(Stroke{std::move(line), false, frontColor, width, {}});
 }
 
 }  // namespace
 
-void addCells(Drawing& drawing, const Box& box, int category) {
-    if (category >= 0) return addRectangle(drawing, box, categoryColor(category));
-    addRectangle(drawing, box, chartGround);
-    // Strokes that rise to the right and go on from row to row.
-    constexpr double pitch = 8;
-    const double first = std::ceil((box.left + box.top) / pitch) * pitch;
-    for (double sum = first; sum < box.right + box.bottom; sum += pitch)
-        for (const auto& line :
-             clippedLine(std::array<PagePoint, 2>{{{box.left, sum - box.left},
-                                                   {box.right, sum - box.right}}},
-                         box))
-            drawing.items.emplace_back(Stroke{line, false, frontColor, 1, {}});
+bool contains(const Box& box, PagePoint p) {
+    constexpr double slack = 0.01;
+    return p.x >= box.left - slack && p.x <= box.right + slack && p.y >= box.top - slack &&
+           p.y <= box.bottom + slack;
 }
 
-void addHeatMap(Drawing& drawing, const HeatMap& map, const Plot& plot) {
-    const std::vector<double> x = edges(map.x, plot.x), y = edges(map.y, plot.y);
-    const std::size_t columns = map.x.size();
-    for (std::size_t row = 0; row < map.y.size(); ++row)
-        for (std::size_t from = 0, to = 0; from < columns; from = to) {
-            const int* cells = &map.cells[row * columns];
-            for (to = from + 1; to < columns && cells[to] == cells[from];) ++to;
-            const Box run{x[from], y[row + 1], x[to], y[row]};
-            if (run.right > run.left && run.bottom > run.top) addCells(drawing, run, cells[from]);
-        }
+PagePoint between(PagePoint a, PagePoint b, double s) {
+    return {a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)};
+}
+
+// Liang and Barsky 1984.
+std::pair<double, double> inside(PagePoint a, PagePoint b, const Box& box) {
+    double first = 0, last = 1;
+    const auto keep = [&](double distance, double change) {  // distance + s change >= 0
+        if (change > 0) first = std::max(first, -distance / change);
+        if (change < 0) last = std::min(last, -distance / change);
+        if (change == 0 && distance < 0) last = -1;
+    };
+    keep(a.x - box.left, b.x - a.x);
+    keep(box.right - a.x, a.x - b.x);
+    keep(a.y - box.top, b.y - a.y);
+    keep(box.bottom - a.y, a.y - b.y);
+    return {first, last};
 }
 
 void addCurves(Drawing& drawing, const Chart& chart, const Plot& plot, double size) {
@@ -105,11 +119,12 @@ void addCurves(Drawing& drawing, const Chart& chart, const Plot& plot, double si
             if ((curve.style.dash == Dash::solid) == solid)
                 addCurve(drawing, curve, plot, chart.map.has_value(), 3 * size);
     for (const Curve& curve : chart.curves)
-        for (const PagePoint& p : placed(curve.points, plot))
-            if (contains(plot.box, p) && curve.style.marker != Marker::none) {
-                if (chart.map) drawing.items.emplace_back(Disc{p, 8.5 * size, chartGround});
-                addMarker(drawing, p, curve.style, 6 * size);
-            }
+        for (const ChartPoint& point : curve.points) {
+            const PagePoint p = plot(point);
+            if (!contains(plot.box, p) || curve.style.marker == Marker::none) continue;
+            if (chart.map) drawing.items.emplace_back(Disc{p, 8.5 * size, chartGround});
+            addMarker(drawing, p, curve.style, 6 * size);
+        }
 }
 
 }  // namespace plait

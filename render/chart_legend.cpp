@@ -11,26 +11,19 @@ TextStyle styleOf(double size) { return {Weight::regular, 18 * size, ink}; }
 
 void addSample(Drawing& drawing, const LegendEntry& entry, double x, double y, double size) {
     const double end = x + sampleWidth * size;
-    const Color color =
-        entry.kind == LegendEntry::Kind::front ? frontColor : curveColor(entry.style.color);
-    if (entry.kind == LegendEntry::Kind::category) {
+    if (entry.area) {
         addRectangle(drawing, {x, y - 10, end, y + 10}, ink);
-        addCells(drawing, {x + 1, y - 9, end - 1, y + 9}, entry.category);
-        return;
+        return addRectangle(drawing, {x + 1, y - 9, end - 1, y + 9}, entry.color);
     }
     if (entry.style.dash != Dash::none)
-        drawing.items.emplace_back(Stroke{{{x, y}, {end, y}},
-                                          false,
-                                          color,
-                                          entry.kind == LegendEntry::Kind::front ? 9.0 : 3.0,
-                                          dashPattern(entry.style.dash)});
+        drawing.items.emplace_back(Stroke{
+            {{x, y}, {end, y}}, false, entry.color, entry.width, dashPattern(entry.style.dash)});
     addMarker(drawing, {(x + end) / 2, y}, entry.style, 6);
 }
 
 }  // namespace
 
 std::vector<LegendEntry> legendEntries(std::span<const Chart> charts) {
-    using Kind = LegendEntry::Kind;
     std::vector<LegendEntry> entries;
     const auto add = [&](const LegendEntry& entry) {
         const bool known = std::any_of(entries.begin(), entries.end(),
@@ -38,17 +31,14 @@ std::vector<LegendEntry> legendEntries(std::span<const Chart> charts) {
         if (!known && !entry.name.empty()) entries.push_back(entry);
     };
     for (const Chart& chart : charts)
-        if (chart.map)
-            for (int i = 0; i < static_cast<int>(chart.map->categories.size()); ++i)
-                add({Kind::category, chart.map->categories[static_cast<std::size_t>(i)], {}, i});
+        for (std::size_t i = 0; chart.map && i < chart.map->categories.size(); ++i)
+            add({chart.map->categories[i], {}, categoryColor(static_cast<int>(i)), 0, true});
     for (const Chart& chart : charts)
-        if (chart.map && std::count(chart.map->cells.begin(), chart.map->cells.end(), -1) > 0)
-            add({Kind::category, "not measured", {}, -1});
-    for (const Chart& chart : charts)
-        for (const Curve& curve : chart.curves) add({Kind::curve, curve.name, curve.style});
+        for (const Curve& curve : chart.curves)
+            add({curve.name, curve.style, curveColor(curve.style.color)});
     for (const Chart& chart : charts)
         if (!chart.front.empty())
-            add({Kind::front, "Pareto front", {0, Marker::none, Dash::solid}});
+            add({"Pareto front", {0, Marker::none, Dash::solid}, frontColor, 9});
     return entries;
 }
 

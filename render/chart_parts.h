@@ -14,9 +14,8 @@ inline constexpr Color chartGround{0xfa, 0xf6, 0xef}, chartGrid{0xdc, 0xd5, 0xca
     chartQuiet{0x58, 0x6a, 0x7a}, frontColor{0xc9, 0xbe, 0xad};
 
 Color curveColor(int i);
+Color categoryColor(int i);  // of a heat map, from light to dark
 std::vector<double> dashPattern(Dash dash);
-// Of a heat map, from light to dark.
-Color categoryColor(int i);
 
 enum class Anchor { left, middle, right };
 // `x` is where the anchor is. Smaller where it is wider than `room`; empty text is left out.
@@ -34,26 +33,24 @@ struct Plot {
     PagePoint operator()(ChartPoint p) const { return {x(p.x), y(p.y)}; }
 };
 
-bool contains(const Box& box, PagePoint p);  // its edge too
-// What of a line or an area lies in the box.
-std::vector<std::vector<PagePoint>> clippedLine(std::span<const PagePoint> points, const Box& box);
-std::vector<PagePoint> clippedArea(std::vector<PagePoint> points, const Box& box);
-
 // One chart within the box; `size` 1 is for a chart that has the page to itself.
 void addChart(Drawing& drawing, const Chart& chart, const Box& box, double size);
-// Cells of one category; all cells; curves with bands, markers and front.
-void addCells(Drawing& drawing, const Box& box, int category);
-void addHeatMap(Drawing& drawing, const HeatMap& map, const Plot& plot);
+// Curves with bands, markers and front; the highlighted points.
 void addCurves(Drawing& drawing, const Chart& chart, const Plot& plot, double size);
-// Labels and highlighted points.
-void addLabels(Drawing& drawing, const Chart& chart, const Plot& plot, double size);
+void addHighlights(Drawing& drawing, const Chart& chart, const Plot& plot, double size);
+
+bool contains(const Box& box, PagePoint p);  // its edge too
+// Of the segment the part within the box, as fractions; first > last: none.
+std::pair<double, double> inside(PagePoint a, PagePoint b, const Box& box);
+PagePoint between(PagePoint a, PagePoint b, double s);
 
 // Names and samples of what the charts hold, each name once.
 struct LegendEntry {
-    enum class Kind { curve, front, category } kind;
     std::string name;
-    CurveStyle style;  // of a curve
-    int category = 0;
+    CurveStyle style;
+    Color color;
+    double width = 3;   // of the line
+    bool area = false;  // in place of line and marker
 };
 std::vector<LegendEntry> legendEntries(std::span<const Chart> charts);
 inline constexpr double legendPitch = 34;  // px from one to the next where there is room

@@ -17,36 +17,55 @@ struct Look {
 
 struct Data {
     std::vector<double> x, y;
+
+    void add(const std::vector<ChartPoint>& points) {
+        for (const ChartPoint& p : points) x.push_back(p.x), y.push_back(p.y);
+    }
 };
 
 Data dataOf(const Chart& chart) {
     Data data;
     for (const Curve& curve : chart.curves) {
-        for (const ChartPoint& p : curve.points) {
-            data.x.push_back(p.x);
-            data.y.push_back(p.y);
-        }
+        data.add(curve.points);
         data.x.insert(data.x.end(), curve.failures.begin(), curve.failures.end());
-        for (const auto* band : {&curve.low, &curve.high})
-            data.y.insert(data.y.end(), band->begin(), band->end());
+        data.y.insert(data.y.end(), curve.low.begin(), curve.low.end());
+        data.y.insert(data.y.end(), curve.high.begin(), curve.high.end());
     }
-    for (const ChartPoint& p : chart.front) {
-        data.x.push_back(p.x);
-        data.y.push_back(p.y);
-    }
+    data.add(chart.front);
     return data;
 }
 
-// A map fills its axes; curves on it are cut off where it ends.
-Range mapRange(const Axis& axis, const std::vector<double>& values) {
-    const AxisScale unit{{values[0], values[1]}, axis.logarithmic, 0, 1};
-    const std::size_t n = values.size();
-    const double last = (3 * unit(values[n - 1]) - unit(values[n - 2])) / 2;
-    const auto back = [&](double s) {
-        return axis.logarithmic ? values[0] * std::pow(values[1] / values[0], s)
-                                : values[0] + s * (values[1] - values[0]);
+// Where the cells of a map end; the outer ones are as wide as their neighbour.
+std::vector<double> cellEdges(const std::vector<double>& values, bool logarithmic) {
+    const auto between = [&](std::size_t i, double s) {
+        const double a = values[i], b = values[i + 1];
+        return logarithmic ? a * std::pow(b / a, s) : a + s * (b - a);
     };
-    return {axis.low.value_or(back(-0.5)), axis.high.value_or(back(last))};
+    std::vector<double> edges{between(0, -0.5)};
+    for (std::size_t i = 0; i + 1 < values.size(); ++i) edges.push_back(between(i, 0.5));
+    edges.push_back(between(values.size() - 2, 1.5));
+    return edges;
+}
+
+// A map fills its axes; curves on it are cut off where it ends.
+Range rangeOf(const Axis& axis, const std::vector<double>& data,
+              const std::vector<double>* mapped) {
+    if (!mapped) return axisRange(axis, data);
+    const std::vector<double> edges = cellEdges(*mapped, axis.logarithmic);
+    return {edges.front(), edges.back()};
+}
+
+void addHeatMap(Drawing& drawing, const HeatMap& map, const Plot& plot) {
+    const std::vector<double> x = cellEdges(map.x, plot.x.logarithmic);
+    const std::vector<double> y = cellEdges(map.y, plot.y.logarithmic);
+    const std::size_t columns = map.x.size();
+    for (std::size_t row = 0; row < map.y.size(); ++row)
+        for (std::size_t from = 0, to = 0; from < columns; from = to) {
+            const int* cells = &map.cells[row * columns];
+            for (to = from + 1; to < columns && cells[to] == cells[from];) ++to;
+            const PagePoint low = plot({x[from], y[row]}), high = plot({x[to], y[row + 1]});
+            addRectangle(drawing, {low.x, high.y, high.x, low.y}, categoryColor(cells[from]));
+        }
 }
 
 bool collide(const std::vector<Tick>& ticks, const AxisScale& scale, const TextStyle& style) {
@@ -105,74 +124,58 @@ void addAxes(Drawing& drawing, const Chart& chart, const Plot& plot, const Look&
     }
 }
 
+// A map's all round, else the two axes.
 void addFrame(Drawing& drawing, const Chart& chart, const Box& box) {
-    if (chart.map)
-        drawing.items.emplace_back(Stroke{{{box.left, box.top},
-                                           {box.right, box.top},
-                                           {box.right, box.bottom},
-                                           {box.left, box.bottom}},
-                                          true,
-                                          ink,
-                                          1.5,
-                                          {}});
-    else
-        drawing.items.emplace_back(
-            Stroke{{{box.left, box.top}, {box.left, box.bottom}, {box.right, box.bottom}},
-                   false,
-                   ink,
-                   1.5,
-                   {}});
+    std::vector<PagePoint> line = corners(box);
+    if (!chart.map) line = {line[0], line[3], line[2]};
+    drawing.items.emplace_back(Stroke{line, chart.map.has_value(), ink, 1.5, {}});
+}
+
+constexpr const char* failed = "failed";
+
+std::vector<const Curve*> failing(const Chart& chart) {
+    std::vector<const Curve*> curves;
+    for (const Curve& curve : chart.curves)
+        if (!curve.failures.empty()) curves.push_back(&curve);
+    return curves;
+}
+
+// px, of the strip above the top edge: a row a curve and one more, closer where there are many.
+double stripHeight(const Chart& chart, double size) {
+    const auto rows = static_cast<double>(failing(chart).size());
+    return rows == 0 ? 0 : 18 * size * (rows + 1) * std::min(1.0, 6 / rows);
 }
 
 // A row a curve, so that failures at the same place do not hide each other.
-struct FailureStrip {
-    FailureStrip(const Chart& chart, double size) : row(18 * size) {
-        for (const Curve& curve : chart.curves)
-            if (!curve.failures.empty()) curves.push_back(&curve);
-        if (curves.size() > 6) row *= 6.0 / static_cast<double>(curves.size());
-    }
-
-    double height() const {
-        return curves.empty() ? 0 : (static_cast<double>(curves.size()) + 1) * row;
-    }
-
-    void addTo(Drawing& drawing, const Plot& plot, const TextStyle& style, double size) const {
-        if (curves.empty()) return;
-        const Box box{plot.box.left, plot.box.top - height(), plot.box.right,
-                      plot.box.top - row / 2};
-        addRectangle(drawing, box, chartGrid, 0.6);
-        addWord(drawing, box.left - 10, (box.top + box.bottom + capHeight(style)) / 2, failed,
-                style, Anchor::right);
-        for (std::size_t i = 0; i < curves.size(); ++i)
-            for (const double x : curves[i]->failures) {
-                const PagePoint at{plot.x(x), box.top + (static_cast<double>(i) + 0.75) * row};
-                if (contains(box, at)) addMarker(drawing, at, curves[i]->style, 6 * size);
-            }
-    }
-
-    static constexpr const char* failed = "failed";
-    double row;
-    std::vector<const Curve*> curves;
-};
-
-double widest(std::span<const Tick> ticks, const TextStyle& style) {
-    double width = 0;
-    for (const Tick& tick : ticks) width = std::max(width, textWidth(tick.text, style));
-    return width;
+void addFailures(Drawing& drawing, const Chart& chart, const Plot& plot, const TextStyle& style,
+                 double size) {
+    const std::vector<const Curve*> curves = failing(chart);
+    if (curves.empty()) return;
+    const double height = stripHeight(chart, size);
+    const double row = height / (static_cast<double>(curves.size()) + 1);
+    const Box box{plot.box.left, plot.box.top - height, plot.box.right, plot.box.top - row / 2};
+    addRectangle(drawing, box, chartGrid, 0.6);
+    addWord(drawing, box.left - 10, (box.top + box.bottom + capHeight(style)) / 2, failed, style,
+            Anchor::right);
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        for (const double x : curves[i]->failures) {
+            const PagePoint at{plot.x(x), box.top + (static_cast<double>(i) + 0.75) * row};
+            if (contains(box, at)) addMarker(drawing, at, curves[i]->style, 6 * size);
+        }
 }
 
 // The rectangle of the numbers, which leaves room for all that is written around it.
-Box innerBox(const Chart& chart, const Box& box, Range y, const FailureStrip& strip,
-             const Look& look) {
+Box innerBox(const Chart& chart, const Box& box, Range y, const Look& look, double size) {
     Box inner = box;
+    const double strip = stripHeight(chart, size);
     if (!chart.title.empty()) inner.top += 1.6 * look.title.size;
     if (!chart.y.label.empty()) inner.top += 1.5 * look.label.size;
-    inner.top += strip.height() + 4;
+    inner.top += strip + 8;
     inner.bottom -= 2 * look.tick.size + (chart.x.label.empty() ? 0 : 1.5 * look.label.size);
-    const auto ticks = ticksUp(y, chart.y.logarithmic, inner, look.tick);
-    inner.left +=
-        10 + std::max(widest(ticks, look.tick),
-                      strip.curves.empty() ? 0 : textWidth(FailureStrip::failed, look.tick));
+    double widest = strip > 0 ? textWidth(failed, look.tick) : 0;
+    for (const Tick& tick : ticksUp(y, chart.y.logarithmic, inner, look.tick))
+        widest = std::max(widest, textWidth(tick.text, look.tick));
+    inner.left += 10 + widest;
     inner.right -= 1.2 * look.tick.size;
     return inner;
 }
@@ -182,10 +185,9 @@ Box innerBox(const Chart& chart, const Box& box, Range y, const FailureStrip& st
 void addChart(Drawing& drawing, const Chart& chart, const Box& box, double size) {
     const Look look(size);
     const Data data = dataOf(chart);
-    const Range x = chart.map ? mapRange(chart.x, chart.map->x) : axisRange(chart.x, data.x);
-    const Range y = chart.map ? mapRange(chart.y, chart.map->y) : axisRange(chart.y, data.y);
-    const FailureStrip strip(chart, size);
-    Box inner = innerBox(chart, box, y, strip, look);
+    const Range x = rangeOf(chart.x, data.x, chart.map ? &chart.map->x : nullptr);
+    const Range y = rangeOf(chart.y, data.y, chart.map ? &chart.map->y : nullptr);
+    Box inner = innerBox(chart, box, y, look, size);
     if (chart.equalScale) shrinkToEqualScale(inner, x, y);
     const Plot plot{inner,
                     {x, chart.x.logarithmic, inner.left, inner.right},
@@ -202,9 +204,9 @@ void addChart(Drawing& drawing, const Chart& chart, const Box& box, double size)
     if (chart.map) addHeatMap(drawing, *chart.map, plot);
     addAxes(drawing, chart, plot, look);
     addFrame(drawing, chart, inner);
-    strip.addTo(drawing, plot, look.tick, size);
+    addFailures(drawing, chart, plot, look.tick, size);
     addCurves(drawing, chart, plot, size);
-    addLabels(drawing, chart, plot, size);
+    addHighlights(drawing, chart, plot, size);
 }
 
 }  // namespace plait

@@ -18,6 +18,11 @@ struct Box {
     double left, top, right, bottom;
 };
 
+inline std::vector<PagePoint> corners(const Box& box) {
+    return {
+        {box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}};
+}
+
 struct Stroke {
     std::vector<PagePoint> points;
     bool closed = false;

@@ -89,15 +89,14 @@ void fill(Picture& picture, const Polygons& polygons, Color color, double alpha 
     coverage.paintOn(picture, x0, y0, color, alpha);
 }
 
-Polygon discOf(PagePoint center, double radius) {
-    const int corners = std::max(12, static_cast<int>(4 * radius));
-    Polygon polygon;
-    for (int i = 0; i < corners; ++i) {
-        const double angle = 2 * std::numbers::pi * i / corners;
+// Appends corners along an arc, ends included.
+void addArc(Polygon& polygon, PagePoint center, double radius, double from, double turn,
+            int pieces) {
+    for (int i = 0; i <= pieces; ++i) {
+        const double angle = from + turn * i / pieces;
         polygon.push_back(
             {center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)});
     }
-    return polygon;
 }
 
 Polygon segmentOf(PagePoint a, PagePoint b, double radius) {
@@ -111,13 +110,9 @@ Polygon segmentOf(PagePoint a, PagePoint b, double radius) {
 Polygon cornerOf(PagePoint a, PagePoint b, PagePoint c, double radius) {
     const double in = std::atan2(b.y - a.y, b.x - a.x), out = std::atan2(c.y - b.y, c.x - b.x);
     const double turn = std::remainder(out - in, 2 * std::numbers::pi);
-    const double first = (turn > 0 ? in : out) - std::copysign(std::numbers::pi / 2, turn);
-    const int pieces = 1 + static_cast<int>(std::abs(turn) / 0.3);
     Polygon polygon{b};
-    for (int i = 0; i <= pieces; ++i) {
-        const double angle = first + std::abs(turn) * i / pieces;
-        polygon.push_back({b.x + radius * std::cos(angle), b.y + radius * std::sin(angle)});
-    }
+    addArc(polygon, b, radius, (turn > 0 ? in : out) - std::copysign(std::numbers::pi / 2, turn),
+           std::abs(turn), 1 + static_cast<int>(std::abs(turn) / 0.3));
     return polygon;
 }
 
@@ -175,7 +170,10 @@ struct Painter {
     }
 
     void operator()(const Disc& disc) const {
-        fill(picture, {discOf(at(disc.center), disc.radius * scale)}, disc.color);
+        Polygon polygon;
+        addArc(polygon, at(disc.center), disc.radius * scale, 0, 2 * std::numbers::pi,
+               std::max(12, static_cast<int>(4 * disc.radius * scale)));
+        fill(picture, {polygon}, disc.color);
     }
 
     void operator()(const Word& word) const {

@@ -1,5 +1,7 @@
 #include "drawing.h"
 
+#include "chart.h"
+
 #include <cstdio>
 
 namespace plait {
@@ -19,28 +21,6 @@ std::string name(Color color) {
     char text[8];
     std::snprintf(text, sizeof text, "#%02x%02x%02x", color.r, color.g, color.b);
     return text;
-}
-
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            // No control character but these may stand in XML.
-            default:
-                result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-        }
-    return result;
 }
 
 std::string attribute(std::string_view key, std::string_view value) {
@@ -93,6 +73,18 @@ struct Writer {
 };
 
 }  // namespace
+
+std::string escaped(std::string_view text) {
+    std::string result;
+    for (const char c : text)
+        result += c == '&'                              ? "&amp;"
+                  : c == '<'                            ? "&lt;"
+                  : c == '>'                            ? "&gt;"
+                  : c == '"'                            ? "&quot;"
+                  : static_cast<unsigned char>(c) < ' ' ? " "
+                                                        : std::string(1, c);
+    return result;
+}
 
 std::string drawingSvg(const Drawing& drawing) {
     const std::string width = std::to_string(drawing.width);

@@ -84,7 +84,7 @@ private:
             duals_[set].clear();
             bool anyRigid = false;
             for (int n = 0; n < terms_.size(); ++n) {
-                const bool rigid = terms_.above[n] == Real(0) || terms_.below[n] == Real(0);
+                const bool rigid = terms_.rigid(n);
                 const Real k = rigid ? weight(s.state, n) : Real(0);
                 duals_[set].push_back({0, k, absolute(terms_.value[n]), Real(growth) * k});
                 anyRigid = anyRigid || rigid;
@@ -138,7 +138,7 @@ private:
     Force forceOf(int n, const Dual* dual) const {
         const Real c = terms_.value[n];
         const Real size = dual && dual->stiffness > 0 ? dual->stiffness * c + dual->lambda : c;
-        const Real compliance = size > Real(0) ? terms_.above[n] : terms_.below[n];
+        const Real compliance = terms_.compliance(n, size);
         if (compliance == Real(0)) return {size, dual->stiffness, true};
         if (!(compliance < Real(slack))) return {0, 0, false};
         return {c / compliance, 1 / compliance, false};

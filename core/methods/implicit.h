@@ -80,8 +80,8 @@ private:
         for (const Terms<Real>& t : springs_.terms) {
             work += t.size();
             for (int n = 0; n < t.size(); ++n) {
-                if (!(t.compliance[n] < Real(slack))) continue;
-                const Real k = 1 / t.compliance[n];
+                if (!(t.compliance(n) < Real(slack))) continue;
+                const Real k = 1 / t.compliance(n);
                 const int* const ids = &t.ids[t.arity * n];
                 const Vec<Real>* const g = &t.gradient[t.arity * n];
                 Real rate = 0;
@@ -116,8 +116,8 @@ private:
             diagonal_[i] = Symmetric<Real>::diagonal(inertia_[i]);
         for (const Terms<Real>& t : springs_.terms)
             for (int n = 0; n < t.size(); ++n) {
-                if (!(t.compliance[n] < Real(slack))) continue;
-                const Real k = 1 / t.compliance[n];
+                if (!(t.compliance(n) < Real(slack))) continue;
+                const Real k = 1 / t.compliance(n);
                 for (int a = 0; a < t.arity; ++a) {
                     Symmetric<Real>& d = diagonal_[t.ids[t.arity * n + a]];
                     d.addOuter(k, t.gradient[t.arity * n + a]);

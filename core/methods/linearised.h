@@ -53,8 +53,8 @@ private:
         const Terms<Real>& t = terms_;
         const Real inverseH2 = static_cast<Real>(1 / (s.implied * s.implied));
         for (int n = 0; n < t.size(); ++n) {
-            const bool acts = t.compliance[n] < Real(slack);
-            const Real a = acts ? t.compliance[n] * inverseH2 : Real(0);
+            const bool acts = t.compliance(n) < Real(slack);
+            const Real a = acts ? t.compliance(n) * inverseH2 : Real(0);
             Real norm2 = a;
             for (int i = t.arity * n; i < t.arity * (n + 1); ++i)
                 norm2 += s.state.particles[t.ids[i]].w * dot(t.gradient[i], t.gradient[i]);

@@ -84,8 +84,25 @@ private:
         fresh_ = false;
         factors.factorize(matrix_);
         if (factors.info() != Eigen::Success) return false;
+        work_ += static_cast<long>(multiplications(factors) / multiplicationsOfALink);
         solution_ = factors.solve(right_);
         return solution_.allFinite();
+    }
+
+    // Of the factors and one solution with them.
+    static double multiplications(const Eigen::SimplicialLDLT<NewtonEquations::Matrix>& factors) {
+        const auto& l = factors.matrixL().nestedExpression();
+        double sum = 0;
+        for (Eigen::Index column = 0; column < l.cols(); ++column) {
+            const double below = l.outerIndexPtr()[column + 1] - l.outerIndexPtr()[column];
+            sum += below * (below + 7) / 2 + 1;
+        }
+        return sum;
+    }
+    // As if all columns of L were equally long, and all rows of U: at least.
+    static double multiplications(const Eigen::SparseLU<NewtonEquations::Matrix>& factors) {
+        const double l = double(factors.nnzL()), u = double(factors.nnzU());
+        return l * u / double(factors.rows()) + l + u;
     }
 
     bool search(WholeSubstep<double>& s, double softness) {
@@ -109,6 +126,9 @@ private:
             state.velocity[i].v = moves ? mean + (mean - state.lastVelocity[i].v) : mean;
         }
     }
+
+    // A sweep over one: what a factorisation is counted in.
+    static constexpr double multiplicationsOfALink = 30;
 
     bool midpoint_;
     int substeps_;

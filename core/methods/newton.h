@@ -15,6 +15,9 @@
 // turn. A reference with such forces needs small steps and its self-difference. Moving rows of soft
 // sets are seen as they are at the end.
 //
+// A factorisation counts as work: as many constraints as are links swept with as many
+// multiplications.
+//
 // Midpoint damps nothing: what leaves a rigid constraint in velocity stays there, with its sign
 // changing, so let it start without.
 #pragma once

@@ -39,8 +39,8 @@ private:
 
     void add(const Terms<Real>& t) {
         for (int n = 0; n < t.size(); ++n) {
-            if (!(t.compliance[n] < Real(slack))) continue;
-            const Real lambda = -t.value[n] / t.compliance[n];
+            if (!(t.compliance(n) < Real(slack))) continue;
+            const Real lambda = -t.value[n] / t.compliance(n);
             for (int a = t.arity * n; a < t.arity * (n + 1); ++a)
                 force[t.ids[a]] += lambda * t.gradient[a];
         }

@@ -54,7 +54,7 @@ void check(const Scope& scope, const NamedSet<Real>& named, const State<Real>& s
                                     " is one: leave it out, or take xpbd or block");
     if (scope.rigid) return;
     for (int n = 0; n < terms.size(); ++n)
-        if (!(terms.above[n] > 0 && terms.below[n] > 0))
+        if (terms.rigid(n))
             throw std::invalid_argument(method + "has no rigid constraints, and " + set +
                                         " has: give it a compliance, or take xpbd or block");
 }
@@ -77,10 +77,6 @@ std::unique_ptr<WholeStep<Real>> makeWholeStep(const SolverOptions& options,
         throw std::invalid_argument(
             method + "knows no inertia of the air: set its added mass to 0, or take xpbd");
     for (const NamedSet<Real>& named : sets) check(scope, named, state);
-    if (options.method == Method::newton) {
-        if constexpr (std::is_same_v<Real, double>) return makeNewton(options, sets, state);
-        throw std::invalid_argument("method newton runs in double: set precision double");
-    }
     switch (options.method) {
         case Method::explicitEuler:
             return std::make_unique<Explicit<Real>>();
@@ -90,6 +86,9 @@ std::unique_ptr<WholeStep<Real>> makeWholeStep(const SolverOptions& options,
             return std::make_unique<Implicit<Real>>();
         case Method::linearised:
             return std::make_unique<Linearised<Real>>();
+        case Method::newton:
+            if constexpr (std::is_same_v<Real, double>) return makeNewton(options, sets, state);
+            throw std::invalid_argument("method newton runs in double: set precision double");
         default:
             return std::make_unique<Block<Real>>(sets, state);
     }

@@ -1,45 +1,12 @@
 #include "stability/atlas.h"
 
-#include "interrupt.h"
 #include "progress.h"
+#include "run_all.h"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <functional>
-#include <mutex>
-#include <thread>
 
 namespace plait {
-namespace {
-
-// Every task once, on `jobs` threads; the first that throws ends all.
-void runAll(const std::vector<std::function<void()>>& tasks, int jobs, Progress& progress) {
-    std::atomic<std::size_t> next{0};
-    std::exception_ptr error;
-    std::mutex mutex;
-    int finished = 0;
-    const auto work = [&] {
-        try {
-            for (std::size_t i; (i = next++) < tasks.size();) {
-                stopIfInterrupted();
-                tasks[i]();
-                const std::lock_guard lock(mutex);
-                progress.show(++finished);
-            }
-        } catch (...) {
-            const std::lock_guard lock(mutex);
-            if (!error) error = std::current_exception();
-            next = tasks.size();
-        }
-    };
-    std::vector<std::thread> threads;
-    for (int job = 0; job < jobs; ++job) threads.emplace_back(work);
-    for (std::thread& thread : threads) thread.join();
-    if (error) std::rethrow_exception(error);
-}
-
-}  // namespace
 
 Atlas workOut(const StabilityMap& map, int cells, int jobs, bool quiet) {
     Atlas atlas{valuesOf(map.x, cells), valuesOf(map.y, cells), {}, {}};
@@ -59,8 +26,9 @@ Atlas workOut(const StabilityMap& map, int cells, int jobs, bool quiet) {
                     static_cast<int>(panel.cell(atlas.x[i % columns], atlas.y[i / columns]));
             });
     }
-    Progress progress("stability " + map.name, 0, static_cast<int>(tasks.size()), quiet, "cells");
-    runAll(tasks, jobs, progress);
+    const int count = static_cast<int>(tasks.size());
+    Progress progress("stability " + map.name, 0, count, quiet, "cells");
+    runAll(count, jobs, 0, progress, [&](int i, int) { tasks[static_cast<std::size_t>(i)](); });
     return atlas;
 }
 

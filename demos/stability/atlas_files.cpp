@@ -47,23 +47,8 @@ std::string cellsCsv(const StabilityMap& map, const Atlas& atlas) {
     return lines;
 }
 
-// Half a cell further than the values at the ends.
-Axis axisOf(const StabilityAxis& axis, const std::vector<double>& values) {
-    const std::size_t n = values.size();
-    return {.label = axis.label,
-            .logarithmic = true,
-            .low = values[0] * std::sqrt(values[0] / values[1]),
-            .high = values[n - 1] * std::sqrt(values[n - 1] / values[n - 2])};
-}
-
 Curve theoryCurve(const StabilityMap& map, const StabilityPanel& panel) {
-    Curve curve{.name = "theory",
-                .points = {},
-                .style = theoryStyle,
-                .low = {},
-                .high = {},
-                .failures = {},
-                .highlighted = {}};
+    Curve curve{.name = "theory", .style = theoryStyle};
     for (const double x : valuesOf(map.x, 25)) {
         const double on = panel.theory(x);
         // What lies far outside would be a line along the edge.
@@ -75,23 +60,15 @@ Curve theoryCurve(const StabilityMap& map, const StabilityPanel& panel) {
 Chart chartOf(const StabilityMap& map, const Atlas& atlas, std::size_t p) {
     const StabilityPanel& panel = map.panels[p];
     Chart chart{.title = panel.name,
-                .x = axisOf(map.x, atlas.x),
-                .y = axisOf(map.y, atlas.y),
-                .map = HeatMap{atlas.x, atlas.y, atlas.outcomes[p], categories},
-                .curves = {},
-                .front = {},
-                .labels = {}};
+                .x = {.label = map.x.label, .logarithmic = true},
+                .y = {.label = map.y.label, .logarithmic = true},
+                .map = HeatMap{atlas.x, atlas.y, atlas.outcomes[p], categories}};
     if (panel.theory) {
         const Curve theory = theoryCurve(map, panel);
         if (!theory.points.empty()) chart.curves.push_back(theory);
     }
-    Curve found{.name = "boundary, bisected",
-                .points = {},
-                .style = foundStyle,
-                .low = {},
-                .high = {},
-                .failures = {},
-                .highlighted = {}};
+    Curve found{.name = "boundary of " + categories[static_cast<std::size_t>(map.fails)],
+                .style = foundStyle};
     for (const Boundary& boundary : atlas.boundaries)
         if (boundary.panel == panel.name && boundary.y && !boundary.open)
             found.points.push_back({boundary.x, *boundary.y});
@@ -104,14 +81,13 @@ Chart chartOf(const StabilityMap& map, const Atlas& atlas, std::size_t p) {
 void writeAtlas(const StabilityMap& map, const Atlas& atlas, const std::filesystem::path& folder,
                 const std::string& command) {
     const int panels = static_cast<int>(map.panels.size());
-    Figure chart{.title = map.title, .note = map.note, .charts = {}};
+    Figure chart{.title = map.title, .note = map.note};
     chart.columns = panels > 4 ? (panels + 1) / 2 : panels;
     const int rows = (panels + chart.columns - 1) / chart.columns;
     chart.width = panels == 1 ? 1000 : panels > 2 ? 340 + 320 * chart.columns : 1240;
     chart.height = 160 + (panels == 1 ? 560 : panels > 2 ? 360 : 460) * rows;
     for (std::size_t p = 0; p < map.panels.size(); ++p)
         chart.charts.push_back(chartOf(map, atlas, p));
-    makeFolder(folder);
     writeWhole(folder / "cells.csv", cellsCsv(map, atlas));
     writeWhole(folder / "boundaries.csv", csvOf(atlas.boundaries));
     writeFigure(folder / "chart", chart);

@@ -1,7 +1,7 @@
 #include "stability/hanging_chain.h"
 
 #include "forces/gravity.h"
-#include "measure/energy.h"
+#include "stability/watch.h"
 #include "stencils.h"
 
 #include <algorithm>
@@ -11,7 +11,6 @@
 namespace plait {
 namespace {
 
-constexpr Vec<double> gravity{0, -9.81, 0};
 constexpr Vec<double> top{0, 3, 0};  // strained by 200 %, the chain ends at height 0
 
 World worldOf(const HangingChain& chain, const Rows<Stretch>& links) {
@@ -33,23 +32,6 @@ Rows<Stretch> linksOf(const HangingChain& chain) {
         links.colors.push_back(i % 2);
     }
     return links;
-}
-
-// The springs' energy is left out: links that are not solved hold some that they never give back.
-struct View {
-    double energy, strain, length;  // J, the greatest, m
-};
-
-View look(const Solver<double>& solver, const World& world, const Rows<Stretch>& links) {
-    const std::vector<Vec<double>> x = solver.positions();
-    View view{kineticEnergy(world.mass, solver.velocities()) +
-                  gravitationalEnergy(world.mass, x, gravity),
-              0, top.y - x.back().y};
-    for (std::size_t i = 0; i < links.rows.size(); ++i) {
-        const double c = length(x[i + 1] - x[i]) - links.rows[i].rest;
-        view.strain = std::max(view.strain, std::fabs(c) / links.rows[i].rest);
-    }
-    return view;
 }
 
 }  // namespace
@@ -74,18 +56,20 @@ Outcome settle(const HangingChain& chain, const ChainSolve& solve, double allowe
          .damping = solve.damping});
     const std::vector<double> exact = chain.exact();
     const double length = std::accumulate(exact.begin(), exact.end(), 1.0);
-    View view = look(solver, world, links);
-    Judge judge(view.energy, 2);
-    try {
-        for (int frame = 0; frame < std::lround(60 * seconds); ++frame) {
-            solver.frame();
-            view = look(solver, world, links);
-            if (!judge.see(view.energy, view.strain)) return judge.outcome();
-        }
-    } catch (const Diverged&) {
-        judge.seeNotFinite();
-    }
-    if (std::fabs(view.length - length) > allowed) judge.seeDrift();
+    // The springs' energy is left out: links that are not solved hold some that they never give
+    // back.
+    Judge judge(mechanicalEnergy(world, solver), 2);
+    double end = 0;
+    watch(solver, std::lround(60 * seconds), judge, [&] {
+        const std::vector<Vec<double>> x = solver.positions();
+        double strain = 0;
+        for (std::size_t i = 0; i < links.rows.size(); ++i)
+            strain = std::max(strain,
+                              std::fabs(plait::length(x[i + 1] - x[i]) / links.rows[i].rest - 1));
+        end = top.y - x.back().y;
+        return judge.see(mechanicalEnergy(world, solver), strain);
+    });
+    if (std::fabs(end - length) > allowed) judge.seeDrift();
     return judge.outcome();
 }
 

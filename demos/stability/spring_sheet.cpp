@@ -1,7 +1,7 @@
 #include "stability/spring_sheet.h"
 
 #include "forces/gravity.h"
-#include "measure/energy.h"
+#include "stability/watch.h"
 #include "stencils.h"
 
 #include <algorithm>
@@ -10,7 +10,6 @@
 namespace plait {
 namespace {
 
-constexpr Vec<double> gravity{0, -9.81, 0};
 constexpr double density = 0.02, swing = 1, seed = 1e-6;
 constexpr int powerIterations = 1000;
 

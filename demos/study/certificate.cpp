@@ -1,6 +1,7 @@
 #include "study/certificate.h"
 
 #include "files.h"
+#include "interrupt.h"
 #include "progress.h"
 #include "web_page.h"
 #include "words.h"
@@ -51,12 +52,14 @@ Table certificateTable(const std::vector<CertificateRow>& rows) {
     return table;
 }
 
-void writeCertificate(const std::string& folder, bool quiet) {
+void writeCertificate(const std::filesystem::path& folder, bool quiet) {
+    makeFolder(folder);
     const std::vector<CertificateCase>& cases = certificateCases();
     std::vector<CertificateRow> rows;
     Progress progress("study certificate", 0, static_cast<int>(cases.size()), quiet, "kinds");
     std::string csv = "kind,error,iterations,substeps,triangles,independent,against\n";
     for (const CertificateCase& c : cases) {
+        stopIfInterrupted();
         const CertificateRow row = certify(c);
         rows.push_back(row);
         csv += "\"" + row.kind + "\"," + text(row.error) + "," + text(row.iterations) + "," +
@@ -65,16 +68,15 @@ void writeCertificate(const std::string& folder, bool quiet) {
         progress.show(static_cast<int>(rows.size()));
     }
     const Table table = certificateTable(rows);
-    makeFolder(folder);
-    writeWhole(folder + "/certificate.csv", csv);
-    writeWhole(folder + "/index.html",
+    writeWhole(folder / "certificate.csv", csv);
+    writeWhole(folder / "index.html",
                webPage(certificateTitle,
                        "<p>The deflection at rest against its closed form, and how it "
                        "changes with 8 times the iterations, 8 times the substeps and 16 "
                        "times the triangles (4 times the links). Independent: all within "
                        "2 %.</p>\n" +
                            htmlOf(table) + commandLines("build/plait study certificate")));
-    if (!quiet) std::printf("%s\n%s/index.html\n", textOf(table).c_str(), folder.c_str());
+    if (!quiet) std::printf("%s\n%s\n", textOf(table).c_str(), (folder / "index.html").c_str());
 }
 
 }  // namespace plait

@@ -6,6 +6,7 @@
 
 #include "study/tables.h"
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -49,6 +50,6 @@ CertificateRow certify(const CertificateCase& c);
 Table certificateTable(const std::vector<CertificateRow>& rows);
 
 // All of it: prints the table and leaves certificate.csv and index.html in `folder`.
-void writeCertificate(const std::string& folder, bool quiet);
+void writeCertificate(const std::filesystem::path& folder, bool quiet);
 
 }  // namespace plait

@@ -19,7 +19,7 @@ Trajectory cosines(const Run& run) {
 
 Study unitSpring() {
     Study study{.name = "unit-spring",
-                .title = "A unit spring for 20 s: x'' = -x",
+                .title = "A unit spring for 20 s: x″ = −x",
                 .model = {{"scene", "unit-spring"}, {"fps", "1/2"}, {"seconds", "20"}},
                 .size = 1,
                 .energyScale = 0.5,
@@ -128,9 +128,10 @@ Study chainStudy() {
 }  // namespace
 
 const std::vector<Study>& studies() {
-    static const std::vector<Study> all{
-        unitSpring(),   pendulumStudy(), chainStudy(),     cantileverStudy(), stripStudy(),
-        sheetStudy(32), sheetStudy(64),  sheetStrain(128), sheetStrain(256),  flagStudy()};
+    static const std::vector<Study> all{unitSpring(),      pendulumStudy(),  chainStudy(),
+                                        cantileverStudy(), stripStudy(),     sheetStudy(32),
+                                        sheetStudy(64),    sheetStep(128),   sheetStep(256),
+                                        sheetStrain(128),  sheetStrain(256), flagStudy()};
     return all;
 }
 

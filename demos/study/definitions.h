@@ -34,6 +34,7 @@ Study cantileverStudy();
 Study stripStudy();
 Study sheetStudy(int n);   // n x n vertices against a reference
 Study sheetStrain(int n);  // the work of peers
+Study sheetStep(int n);    // against the converged solution of one step
 Study flagStudy();
 
 }  // namespace plait

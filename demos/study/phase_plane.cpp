@@ -185,7 +185,7 @@ double energyDrift(const std::vector<PhasePoint>& orbit, double h) {
 }
 
 Figure phasePlaneFigure() {
-    return {.title = "One spring, x″ = −x: what a time step does",
+    return {.title = phasePlaneTitle,
             .note =
                 "from x = 1 m at rest, clockwise; explicit gains √(1 + h²) a step, implicit "
                 "loses it, symplectic stays on x² + v² − h x v = 1 up to h = 2",
@@ -194,7 +194,7 @@ Figure phasePlaneFigure() {
             .legendBelow = true};
 }
 
-void writePhasePlane(const std::filesystem::path& folder) {
+void writePhasePlane(const std::filesystem::path& folder, bool quiet) {
     makeFolder(folder);
     const Figure figure = phasePlaneFigure();
     writeFigure(folder / "chart", figure);
@@ -204,6 +204,7 @@ void writePhasePlane(const std::filesystem::path& folder) {
                                   pictureLine("chart", figure.title) + htmlOf(spiralTable()) +
                                   htmlOf(energyTable()) + htmlOf(polygonTable()) +
                                   commandLines("build/plait study phase-plane")));
+    if (!quiet) std::printf("%s\n", (folder / "index.html").c_str());
 }
 
 }  // namespace plait

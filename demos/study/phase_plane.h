@@ -31,10 +31,12 @@ double spiralError(const std::vector<PhasePoint>& orbit, double h, int sign);
 // Largest deviation of the modified energy from that of the first point, J.
 double energyDrift(const std::vector<PhasePoint>& orbit, double h);
 
+inline constexpr const char* phasePlaneTitle = "One spring, x″ = −x: what a time step does";
+
 // Three spirals, n-gons, and the ellipses of h = 1/2: a slide.
 Figure phasePlaneFigure();
 // Leaves chart.svg, chart.png and index.html, with every figure beside its closed form. Throws
 // FileError or std::runtime_error, "file: cause".
-void writePhasePlane(const std::filesystem::path& folder);
+void writePhasePlane(const std::filesystem::path& folder, bool quiet);
 
 }  // namespace plait

@@ -78,6 +78,45 @@ StudyPoint pointOf(const std::string& curve, const std::vector<const StudyRow*>&
     return point;
 }
 
+constexpr double none = std::numeric_limits<double>::infinity();
+
+// Points of a curve that count, by work.
+std::vector<const StudyPoint*> along(const std::vector<StudyPoint>& points,
+                                     const std::string& curve) {
+    std::vector<const StudyPoint*> found;
+    for (const StudyPoint& point : points)
+        if (point.curve == curve && !point.omitted() && !point.failed()) found.push_back(&point);
+    std::sort(found.begin(), found.end(),
+              [](const auto* a, const auto* b) { return a->evaluations < b->evaluations; });
+    return found;
+}
+
+const StudyPoint* defaultOf(const std::vector<StudyPoint>& points) {
+    for (const StudyPoint& point : points)
+        if (point.isDefault && !point.omitted() && !point.failed()) return &point;
+    return nullptr;
+}
+
+// The least work at which a curve comes down to the error; infinite where it does not.
+double workToReach(double error, const std::vector<const StudyPoint*>& rising) {
+    for (std::size_t i = 0; i < rising.size(); ++i) {
+        if (rising[i]->errors[0] > error) continue;
+        if (i == 0) return rising[0]->evaluations;
+        const StudyPoint &before = *rising[i - 1], &after = *rising[i];
+        const double part =
+            std::log(before.errors[0] / error) / std::log(before.errors[0] / after.errors[0]);
+        return before.evaluations * std::pow(after.evaluations / before.evaluations, part);
+    }
+    return none;
+}
+
+template <class... Values>
+std::string line(const char* format, Values... values) {
+    char text[240];
+    std::snprintf(text, sizeof text, format, values...);
+    return text;
+}
+
 }  // namespace
 
 std::string csvOf(const Study& study, const std::vector<StudyRow>& rows) {
@@ -161,41 +200,33 @@ std::string nameOf(const StudyPoint& point) {
            (iterations == "0" ? "importance" : iterations);
 }
 
-double defaultExcess(const std::vector<StudyPoint>& points) {
-    std::string method;
-    double work = 0, error = 0, least = std::numeric_limits<double>::infinity();
-    for (const StudyPoint& point : points)
-        if (point.isDefault && !point.omitted() && !point.failed()) {
-            work = point.evaluations;
-            error = point.errors[0];
-            method = valueOf(point.settings, "method");
-        }
-    for (const StudyPoint& point : points)
-        if (!point.omitted() && !point.failed() && point.errors[0] <= error &&
-            valueOf(point.settings, "method") == method)
-            least = std::min(least, point.evaluations);
-    return work / least;
+double defaultExcess(const Study& study, const std::vector<StudyPoint>& points) {
+    const StudyPoint* const own = defaultOf(points);
+    if (!own) return 0;
+    double least = own->evaluations;
+    for (const StudyCurve& curve : study.curves)
+        if (curve.flaw.empty())
+            least = std::min(least, workToReach(own->errors[0], along(points, curve.name)));
+    return own->evaluations / least;
 }
 
 std::vector<std::string> findings(const Study& study, const std::vector<StudyPoint>& points) {
     std::vector<std::string> lines;
+    const StudyPoint* const own = defaultOf(points);
     for (const StudyCurve& curve : study.curves) {
-        std::vector<const StudyPoint*> along;
-        for (const StudyPoint& point : points)
-            if (point.curve == curve.name && !point.omitted() && !point.failed())
-                along.push_back(&point);
-        std::sort(along.begin(), along.end(),
-                  [](const auto* a, const auto* b) { return a->evaluations < b->evaluations; });
-        for (std::size_t i = 1; i < along.size(); ++i) {
-            const double before = along[i - 1]->errors[0], after = along[i]->errors[0];
-            if (after <= 1.1 * before || along[i]->evaluations == along[i - 1]->evaluations)
+        const std::vector<const StudyPoint*> rising = along(points, curve.name);
+        for (std::size_t i = 1; i < rising.size(); ++i) {
+            const double before = rising[i - 1]->errors[0], after = rising[i]->errors[0];
+            if (after <= 1.1 * before || rising[i]->evaluations == rising[i - 1]->evaluations)
                 continue;
-            char line[200];
-            std::snprintf(line, sizeof line, "%s: more work is worse, %.2e at %s and %.2e at %s",
-                          curve.name.c_str(), before, nameOf(*along[i - 1]).c_str(), after,
-                          nameOf(*along[i]).c_str());
-            lines.emplace_back(line);
+            lines.push_back(line("%s: more work is worse, %.2e at %s and %.2e at %s",
+                                 curve.name.c_str(), before, nameOf(*rising[i - 1]).c_str(), after,
+                                 nameOf(*rising[i]).c_str()));
         }
+        const double least = own ? workToReach(own->errors[0], rising) : none;
+        if (!curve.flaw.empty() && least < own->evaluations)
+            lines.push_back(line("%s reaches the default's error with %.2f of its work, but %s",
+                                 curve.name.c_str(), least / own->evaluations, curve.flaw.c_str()));
     }
     for (const StudyPoint& point : points)
         if (!point.sameBits)

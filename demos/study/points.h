@@ -50,13 +50,13 @@ std::vector<StudyPoint> pointsOf(const Study& study, const std::vector<StudyRow>
 // "bdf2, 16 x 1, double": what tells a point from the others of its curve.
 std::string nameOf(const StudyPoint& point);
 
-// Work of the default over the least work of its method that reaches its error: 1 on the front. A
-// constraint of another method is other work: Newton's costs a factorisation. 0 if the study has no
-// default that ran.
-double defaultExcess(const std::vector<StudyPoint>& points);
+// Work of the default over the least that reaches its error, by any curve that has no flaw: at most
+// 1 on the front. Between two points a curve is straight, in logarithms of both. 0 if the study has
+// no default that ran.
+double defaultExcess(const Study& study, const std::vector<StudyPoint>& points);
 
-// Pairs of neighbours by work in a curve of which the dearer is worse, by more than a tenth: a line
-// each.
+// A line each: pairs of neighbours by work in a curve of which the dearer is worse, by more than a
+// tenth; curves with a flaw that beat the default; runs that differ in their bits.
 std::vector<std::string> findings(const Study& study, const std::vector<StudyPoint>& points);
 
 }  // namespace plait

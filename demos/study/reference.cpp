@@ -23,12 +23,17 @@ Reference findReference(const Study& study) {
     Reference reference;
     if (!study.reference.solve) return reference;
     const Run run = studyRun(study, {});
+    if (!study.reference.confirm) {
+        reference.trajectory = study.reference.solve(run, 0);
+        reference.frames = run.frames();
+        return reference;
+    }
     const Trajectory coarse = study.reference.solve(run, 0);
     reference.trajectory = study.reference.solve(run, 1);
     const Trajectory other = study.reference.confirm(run);
     const int moving = movingVertices(run.scene.world);
     const auto converged = [&](int frame) {
-        const double trust = referenceTrust * study.size;
+        const double trust = study.reference.trust * study.size;
         return rmsDistanceAt(coarse, reference.trajectory, frame, moving) < trust &&
                rmsDistanceAt(other, reference.trajectory, frame, moving) < trust;
     };
@@ -67,6 +72,7 @@ Reference keptReference(const Study& study, const std::filesystem::path& file) {
 
 std::string describe(const Study& study, const Reference& reference) {
     if (!study.reference.solve) return "no reference: statistics only";
+    if (!study.reference.confirm) return study.reference.words;
     const Run run = studyRun(study, {});
     char line[200];
     std::snprintf(line, sizeof line,

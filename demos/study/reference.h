@@ -7,10 +7,6 @@
 
 namespace plait {
 
-// Frames count from the first on for as long as both differences of each stay below this part of
-// the size of the scene; where they do not, the comparison ends early.
-inline constexpr double referenceTrust = 1e-4;
-
 Reference findReference(const Study& study);
 
 // That of the file, if it is of this model and rule; else it is found and written there.

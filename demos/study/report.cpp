@@ -19,12 +19,15 @@ namespace {
 struct Cost {
     std::string file, label;
     double (*of)(const StudyPoint&, double seconds);
+    double (*ofPeer)(const PeerPoint&);
 };
 
 double workOf(const StudyPoint& point, double seconds) { return point.evaluations / seconds; }
 
-const Cost byTime{"", "time of the solve [ms for 1/24 s]", frameCost};
-const Cost byWork{"-work", "constraints swept [1/s]", workOf};
+const Cost byTime{"", "time of the solve [ms for 1/24 s]", frameCost,
+                  [](const PeerPoint& point) { return point.cost; }};
+const Cost byWork{"-work", "constraints swept [1/s]", workOf,
+                  [](const PeerPoint& point) { return point.evaluations; }};
 
 struct ChartFile {
     std::string file, title;
@@ -36,13 +39,7 @@ bool shown(const StudyPoint& point, std::size_t error) {
 
 Curve curveOf(const std::string& name, int style, const std::vector<StudyPoint>& points,
               std::size_t error, const Cost& cost, double seconds) {
-    Curve curve{.name = name.empty() ? "own settings" : name,
-                .points = {},
-                .style = curveStyle(style),
-                .low = {},
-                .high = {},
-                .failures = {},
-                .highlighted = {}};
+    Curve curve{.name = name.empty() ? "the scene's own" : name, .style = curveStyle(style)};
     for (const StudyPoint& point : points) {
         if (point.curve != name || point.omitted()) continue;
         const double x = cost.of(point, seconds);
@@ -56,11 +53,26 @@ Curve curveOf(const std::string& name, int style, const std::vector<StudyPoint>&
     return curve;
 }
 
+// Markers alone: other engines at settings of their own.
+Curve curveOf(const Peer& peer, int style, std::size_t error, const Cost& cost) {
+    Curve curve{.name = peer.name, .style = curveStyle(style)};
+    curve.style.dash = Dash::none;
+    for (const PeerPoint& point : peer.points) {
+        const double x = cost.ofPeer(point), y = point.errors[error];
+        if (!(x > 0) || std::isnan(y)) continue;
+        if (point.errors[0] < 2)
+            curve.points.push_back({x, y});
+        else
+            curve.failures.push_back(x);
+    }
+    return curve;
+}
+
 // False if there is nothing to draw.
 bool chartOf(const Study& study, const std::vector<StudyPoint>& points, std::size_t error,
              const Cost& cost, double seconds, Chart& chart) {
-    chart.x = {.label = cost.label, .logarithmic = true, .low = {}, .high = {}};
-    chart.y = {.label = study.errors[error].label, .logarithmic = true, .low = {}, .high = {}};
+    chart.x = {.label = cost.label, .logarithmic = true};
+    chart.y = {.label = study.errors[error].label, .logarithmic = true};
     std::vector<std::string> names;
     for (const StudyCurve& curve : study.curves) names.push_back(curve.name);
     names.emplace_back();
@@ -68,6 +80,11 @@ bool chartOf(const Study& study, const std::vector<StudyPoint>& points, std::siz
     for (std::size_t i = 0; i < names.size(); ++i) {
         Curve curve = curveOf(names[i], static_cast<int>(i), points, error, cost, seconds);
         all.insert(all.end(), curve.points.begin(), curve.points.end());
+        if (!curve.points.empty() || !curve.failures.empty())
+            chart.curves.push_back(std::move(curve));
+    }
+    for (std::size_t i = 0; i < study.peers.size(); ++i) {
+        Curve curve = curveOf(study.peers[i], static_cast<int>(names.size() + i), error, cost);
         if (!curve.points.empty() || !curve.failures.empty())
             chart.curves.push_back(std::move(curve));
     }
@@ -130,10 +147,12 @@ std::string pageOf(const Study& study, const Page& page) {
     body += "<h2>Findings</h2>\n" + listed(page.findings);
     if (!page.omissions.empty()) body += "<h2>Left out</h2>\n" + listed(page.omissions);
     body +=
-        "<h2>How</h2>\n<p>Every run is a row of <a href=\"points.csv\">points.csv</a>. Time is "
-        "that of the solve alone, of one pinned thread, so that what else runs does not count; "
-        "wall time stands beside it. The median of all runs with the same settings counts, "
-        "taken in turns.</p>\n" +
+        "<h2>How</h2>\n<p>n x m: n substeps a frame of m iterations each. Marks above the top "
+        "edge: what diverged, or ended further off than twice the size. The ring: what the scene "
+        "itself uses. Pareto front: what no other point beats in both.</p>\n"
+        "<p>Every run is a row of <a href=\"points.csv\">points.csv</a>. Time is that of the solve "
+        "alone, of one pinned thread, so that what else runs does not count; wall time stands "
+        "beside it. The median of all runs with the same settings counts, taken in turns.</p>\n" +
         commandLines(page.command);
     return webPage(study.title, body);
 }
@@ -142,7 +161,7 @@ std::string wordsOn(double excess) {
     if (excess == 0) return "the default failed, or was not run";
     char words[96];
     std::snprintf(words, sizeof words,
-                  "the default does %.2f times the least work of its method to its error", excess);
+                  "the default does %.2f times the least work that reaches its error", excess);
     return words;
 }
 
@@ -178,7 +197,7 @@ std::string writeReport(const Study& study, const std::vector<StudyRow>& rows,
               .charts = {}};
     const std::string verdict = verdictOnReference(study, reference, points);
     if (!verdict.empty()) page.reference += ". " + verdict;
-    page.findings.insert(page.findings.begin(), wordsOn(defaultExcess(points)));
+    page.findings.insert(page.findings.begin(), wordsOn(defaultExcess(study, points)));
     writeWhole(folder.path() / "points.csv", csvOf(study, rows));
     page.charts = writeCharts(study, points, seconds, folder);
     writeWhole(folder.path() / "index.html", pageOf(study, page));

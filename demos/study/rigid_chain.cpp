@@ -1,6 +1,7 @@
 #include "study/rigid_chain.h"
 
 #include "elementary.h"
+#include "study/runge_kutta.h"
 
 #include <stdexcept>
 
@@ -8,10 +9,6 @@ namespace plait {
 namespace {
 
 using Points = std::vector<Vec<double>>;
-
-struct Motions {
-    Points x, v;
-};
 
 class RigidChain {
 public:
@@ -24,25 +21,11 @@ public:
     }
 
     void step(Motions& at, double h) const {
-        const Motions k1 = rate(at), k2 = rate(ahead(at, k1, h / 2)),
-                      k3 = rate(ahead(at, k2, h / 2)), k4 = rate(ahead(at, k3, h));
-        for (std::size_t i = 0; i < at.x.size(); ++i) {
-            at.x[i] += (h / 6) * (k1.x[i] + 2.0 * k2.x[i] + 2.0 * k3.x[i] + k4.x[i]);
-            at.v[i] += (h / 6) * (k1.v[i] + 2.0 * k2.v[i] + 2.0 * k3.v[i] + k4.v[i]);
-        }
+        rungeKuttaStep(at, h, [&](const Motions& m) { return rate(m); });
         project(at);
     }
 
 private:
-    static Motions ahead(const Motions& at, const Motions& k, double h) {
-        Motions next = at;
-        for (std::size_t i = 0; i < at.x.size(); ++i) {
-            next.x[i] += h * k.x[i];
-            next.v[i] += h * k.v[i];
-        }
-        return next;
-    }
-
     // Velocities and accelerations: each link keeps d.a = -|v|^2 of its ends' differences.
     Motions rate(const Motions& at) const {
         std::vector<double> residual;
@@ -117,19 +100,17 @@ Trajectory pendulumByAngle(const World& world, double g, double frameLength, int
                            int stepsPerFrame) {
     const Vec<double> pin = world.start[0], arm = world.start[1] - pin;
     const double l = length(arm), h = frameLength / stepsPerFrame;
-    const auto pull = [&](double angle) { return -g / l * sine(angle); };
-    double a = arctangent2(arm.x, -arm.y), w = 0;
+    // The angle and its rate.
+    const auto rate = [&](Vec<double> z) { return Vec<double>{z.y, -g / l * sine(z.x), 0}; };
+    Vec<double> z{arctangent2(arm.x, -arm.y), 0, 0};
     Trajectory trajectory;
     for (int frame = 0; frame < frames; ++frame) {
         for (int i = 0; i < stepsPerFrame; ++i) {
-            const double w1 = w, k1 = pull(a);
-            const double w2 = w + h / 2 * k1, k2 = pull(a + h / 2 * w1);
-            const double w3 = w + h / 2 * k2, k3 = pull(a + h / 2 * w2);
-            const double w4 = w + h * k3, k4 = pull(a + h * w3);
-            a += h / 6 * (w1 + 2 * w2 + 2 * w3 + w4);
-            w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+            const Vec<double> k1 = rate(z), k2 = rate(z + h / 2 * k1), k3 = rate(z + h / 2 * k2),
+                              k4 = rate(z + h * k3);
+            z += h / 6 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
         }
-        trajectory.push_back({pin, pin + l * Vec<double>{sine(a), -cosine(a), 0}});
+        trajectory.push_back({pin, pin + l * Vec<double>{sine(z.x), -cosine(z.x), 0}});
     }
     return trajectory;
 }

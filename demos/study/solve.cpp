@@ -5,12 +5,15 @@
 #include "measure/energy.h"
 #include "solver.h"
 #include "study/median.h"
+#include "study/runge_kutta.h"
 
 #include <sched.h>
 #include <time.h>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
+#include <mutex>
 
 namespace plait {
 namespace {
@@ -31,7 +34,7 @@ Strain strainOf(const Solver<Real>& solver, const World& world) {
         if (!solver.set(static_cast<int>(s)).terms(solver.state(), false, terms)) continue;
         for (int i = 0; i < terms.size(); ++i) {
             const auto row = static_cast<std::size_t>(i);
-            const double alpha = double(terms.compliance[row]);
+            const double alpha = double(terms.compliance(i));
             double c = double(terms.value[row]);
             if (alpha >= slack) continue;
             if (alpha > 0) {
@@ -152,9 +155,35 @@ Recording solveIn(const Study& study, const Run& run, bool timed) {
     return recording;
 }
 
+// Where the prelude of a study ends; solved once.
+const Motions& endOfPrelude(const Study& study) {
+    static std::mutex one;
+    static std::map<std::string, Motions> kept;
+    const std::lock_guard lock(one);
+    Motions& end = kept[study.name];
+    if (end.x.empty()) {
+        const Run run = studyRun(study, study.prelude);
+        Solver<double> solver(run.scene.world, run.scene.options);
+        for (int f = 0; f < run.frames(); ++f) {
+            stopIfInterrupted();
+            solver.frame();
+        }
+        end = {solver.positions(), solver.velocities()};
+    }
+    return end;
+}
+
 }  // namespace
 
 Recording solve(const Study& study, const Run& run, bool timed) {
+    if (!study.prelude.empty()) {
+        Study later = study;
+        Run begun = run;
+        begun.scene.world.start = endOfPrelude(study).x;
+        begun.scene.world.velocity = endOfPrelude(study).v;
+        later.prelude.clear();
+        return solve(later, begun, timed);
+    }
     try {
         return run.precision == Precision::single ? solveIn<float>(study, run, timed)
                                                   : solveIn<double>(study, run, timed);

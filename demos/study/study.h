@@ -35,11 +35,15 @@ struct Reference {
 };
 
 // How a reference is found: `solve` halves its step with each `refinement`, 0 and 1; `confirm` is
-// another integrator. No `solve`: there is no reference, and errors are statistics.
+// another integrator. No `confirm`: the reference solves the very equations of its steps, and is
+// exact. No `solve`: there is no reference, and errors are statistics. Frames count from
+// the first on for as long as both differences of each stay below the part `trust` of the size of
+// the scene; where they do not, the comparison ends early.
 struct ReferenceRule {
     std::string words, confirmingWords;
     std::function<Trajectory(const Run&, int refinement)> solve;
     std::function<Trajectory(const Run&)> confirm;
+    double trust = 1e-4;
 };
 
 struct ErrorKind {
@@ -50,6 +54,18 @@ struct ErrorKind {
 struct StudyCurve {
     std::string name;
     std::vector<Settings> tasks;  // each on top of the model
+    std::string flaw = {};        // why no default may be like it, however small its error
+};
+
+// What another engine made of the same work, where it was measured.
+struct PeerPoint {
+    double cost;                 // ms of one thread for 1/24 s
+    double evaluations;          // constraints swept a second; 0 where there is no such count
+    std::vector<double> errors;  // by error kind; infinite where it blew up, NaN where not known
+};
+struct Peer {
+    std::string name;
+    std::vector<PeerPoint> points;
 };
 
 struct Study {
@@ -65,6 +81,9 @@ struct Study {
     ReferenceRule reference = {};
     std::vector<StudyCurve> curves = {};
     std::vector<std::string> omissions = {};  // what is left out, and why
+    std::vector<Peer> peers = {};
+    // The run, on top of the model, at whose end all others begin; empty: they begin as the scene.
+    Settings prelude = {};
 };
 
 // Every study there is. Throws UsageError with the nearest name.

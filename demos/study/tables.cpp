@@ -1,5 +1,6 @@
 #include "study/tables.h"
 
+#include "chart.h"
 #include "study/median.h"
 
 #include <algorithm>
@@ -107,13 +108,6 @@ std::string textOf(const Table& table) {
         lines += "\n";
     }
     return lines;
-}
-
-std::string escaped(const std::string& text) {
-    std::string html;
-    for (const char c : text)
-        html += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-    return html;
 }
 
 std::string htmlOf(const Table& table) {

@@ -30,6 +30,4 @@ inline double frameCost(const StudyPoint& point, double seconds) {
 }
 double busyness(const std::vector<StudyPoint>& points);
 
-std::string escaped(const std::string& text);  // for HTML
-
 }  // namespace plait

@@ -2,18 +2,14 @@
 
 #include "errors.h"
 #include "files.h"
-#include "interrupt.h"
 #include "measure/hash.h"
 #include "progress.h"
+#include "run_all.h"
 #include "study/solve.h"
 #include "words.h"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
-#include <mutex>
 #include <set>
-#include <thread>
 
 namespace plait {
 
@@ -90,6 +86,16 @@ bool StudyFolder::done(const StudyTask& task) const {
     }
 }
 
+void StudyFolder::clear(const std::string& word) const {
+    if (!word.empty()) {
+        std::filesystem::remove(rowPath(taskFrom(word)));
+        return;
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(path_ / "rows"))
+        if (entry.path().extension() == ".csv") std::filesystem::remove(entry.path());
+    std::filesystem::remove(referencePath());
+}
+
 std::vector<StudyRow> StudyFolder::rows() const {
     std::set<std::filesystem::path> paths;
     for (const auto& entry : std::filesystem::directory_iterator(path_ / "rows"))
@@ -124,29 +130,11 @@ int executeAll(const Study& study, const std::vector<StudyTask>& tasks, const Re
         if (!folder.done(task)) left.push_back(task);
     const int total = static_cast<int>(tasks.size()), count = static_cast<int>(left.size());
     Progress progress("study " + study.name, total - count, total, quiet, "runs");
-    std::atomic<int> next{0}, finished{0};
-    std::exception_ptr error;
-    std::mutex mutex;
-    const auto work = [&](int job) {
+    runAll(count, jobs, total - count, progress, [&](int i, int job) {
         pinThread(job);
-        try {
-            for (int i; (i = next++) < count;) {
-                stopIfInterrupted();
-                execute(study, left[static_cast<std::size_t>(i)], reference, folder);
-                const std::lock_guard lock(mutex);
-                progress.show(total - count + ++finished);
-            }
-        } catch (...) {
-            const std::lock_guard lock(mutex);
-            if (!error) error = std::current_exception();
-            next = count;
-        }
-    };
-    std::vector<std::thread> threads;
-    for (int job = 0; job < jobs; ++job) threads.emplace_back(work, job);
-    for (std::thread& thread : threads) thread.join();
-    if (error) std::rethrow_exception(error);
-    return finished;
+        execute(study, left[static_cast<std::size_t>(i)], reference, folder);
+    });
+    return count;
 }
 
 }  // namespace plait

@@ -34,6 +34,8 @@ public:
     std::filesystem::path referencePath() const { return path_ / "reference.csv"; }
     // True if it was done with just these settings.
     bool done(const StudyTask& task) const;
+    // Removes what is finished of the task of that word, or all of it and the reference for "".
+    void clear(const std::string& word) const;
     // Every row there is, in the order of their names. Throws FileError.
     std::vector<StudyRow> rows() const;
 

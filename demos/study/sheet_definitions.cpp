@@ -1,0 +1,131 @@
+// Studies of the sheet on two pins.
+#include "study/definitions.h"
+#include "study/peers.h"
+#include "study/soft_motion.h"
+
+namespace plait {
+
+// Links give a little. Of rigid ones the motion is chaotic: on 32 x 32 vertices a dent deeper by a
+// millionth, 1 nm, is 0.1 mm apart after 0.13 s and 3 mm after 0.23 s, so that there is nothing to
+// converge to. Finer meshes fold finer where they are pressed, since nothing resists bending, and
+// are chaotic sooner: 64 x 64 get links three times as soft, and are compared until they are.
+Study sheetStudy(int n) {
+    const std::string side = std::to_string(n);
+    Study study{
+        .name = "hanging-sheet-" + side,
+        .title = "Sheet of " + side + " x " + side + " vertices on two pins, dented by 1 mm, 0.5 s",
+        .model = {{"scene", "hanging-sheet"},
+                  {"fps", "60"},
+                  {"seconds", "0.5"},
+                  {"knob.size", side},
+                  {"knob.dent", "0.001"},
+                  {"knob.compliance", n > 32 ? "0.001" : "0.0003"}},
+        .size = 1,
+        .energyScale = 0.2 * 9.81,
+        .gravity = down,
+        .errors = usualErrors(true, false),
+        .measure = measureUsual};
+    const int steps = 300 * n / 32;
+    study.reference = {
+        .words = "Runge-Kutta 4, " + std::to_string(120 * steps) + " steps/s",
+        .confirmingWords = "BDF2, 96,000 substeps/s of 2 sweeps, in double",
+        .solve =
+            [=](const Run& run, int refinement) {
+                return softMotion(run.scene.world, down, 1 / run.frameRate(), run.frames(),
+                                  steps << refinement);
+            },
+        .confirm =
+            [=](const Run&) { return fine(study, with(secondOrder, "iterations", "2"), 1600); },
+        .trust = n > 32 ? 1e-6 : 1e-4};
+    const Settings oneWay = with(firstOrderFloat, "direction", "one-way");
+    study.curves = {curve("first order, n x 1", firstOrder, doubling(5, 640)),
+                    curve("first order, n x 1, one way, float", oneWay, doubling(5, 640)),
+                    curve("first order, n x 4", firstOrder, doubling(5, 80), 4),
+                    curve("BDF2, n x 1", secondOrder, doubling(5, 320)),
+                    curve("BDF2, n x 1, float", secondOrderFloat, doubling(5, 320)),
+                    curve("BDF2, n x 4", secondOrder, doubling(5, 160), 4),
+                    curve("explicit", by("explicit"), doubling(20, 640)),
+                    curve("symplectic", by("symplectic"), doubling(20, 640)),
+                    curve("implicit", by("implicit"), doubling(5, 80)),
+                    curve("block, n x 4", by("block"), doubling(5, 80), 4),
+                    curve("newton, BDF2", by("newton", "bdf2"), doubling(5, 20))};
+    study.curves[1].flaw = "it gains energy on a curved sheet, in every substep";
+    study.omissions = {"rigid links: their motion is chaotic from 0.1 s on",
+                       "nucleus: it knows no stiffness, only importance",
+                       "linearised: it makes every constraint rigid"};
+    return study;
+}
+
+// The work of peers: flat, 2 s, 60 frames a second; links are rigid, so that every strain is error.
+Study sheetStrain(int n) {
+    const std::string side = std::to_string(n);
+    Study study{
+        .name = "hanging-sheet-" + side,
+        .title = "Strain of a sheet of " + side + " x " + side + " vertices on two pins, 2 s",
+        .model = {{"scene", "hanging-sheet"}, {"fps", "60"}, {"seconds", "2"}, {"knob.size", side}},
+        .gravity = down,
+        .errors = strainErrors(),
+        .measure = measureStrain};
+    const Settings oneWay = with(firstOrderFloat, "direction", "one-way");
+    const std::vector<int> steps{5, 10, 20, 50};
+    const Settings coarse = with(firstOrderFloat, "knob.solve", "aggregates");
+    study.curves = {curve("first order, aggregates, n x 1", coarse, steps),
+                    curve("first order, aggregates, n x 3", coarse, {20, 50}, 3),
+                    curve("first order, n x 1", firstOrderFloat, steps),
+                    curve("first order, n x 1, one way", oneWay, steps),
+                    sharedOut("first order, 1 x n, one way", oneWay, 1, {10, 20, 50}),
+                    curve("BDF2, n x 1", secondOrderFloat, steps),
+                    curve("BDF2, n x 4", secondOrderFloat, {5, 10, 20}, 4)};
+    study.curves[3].flaw = "it gains energy on a curved sheet, in every substep";
+    study.peers = peersOnSheet(n);
+    study.omissions = {
+        "positions: flat, the sheet has no unique motion",
+        "peers: measured on an Intel Xeon with AVX-512 at about 2.9 GHz, one thread, at their own "
+        "settings (Bullet 3.24, Jolt 3b47ec39, PositionBasedDynamics d0894bd, Blender 3.4.1); "
+        "their time is not comparable to a few per cent"};
+    return study;
+}
+
+// One implicit step of 2.5 ms of a sheet that falls and folds: how near methods come to what solves
+// its equations. No integrator's error is in it.
+Study sheetStep(int n) {
+    const std::string side = std::to_string(n);
+    Study study{.name = "hanging-sheet-" + side + "-step",
+                .title = "Sheet of " + side + " x " + side + " vertices: one step of 2.5 ms",
+                .model = {{"scene", "hanging-sheet"},
+                          {"fps", "400"},
+                          {"seconds", "0.0025"},
+                          {"substeps", "1"},
+                          {"integrator", "first"},
+                          {"knob.size", side},
+                          {"knob.dent", "0.001"},
+                          {"knob.compliance", "0.0003"}},
+                .size = 1,
+                .gravity = down,
+                .errors = {{"position", "rms position error after the step / size"}},
+                .measure = [](const Study& of, const Run& run, const Recording& recording,
+                              const Reference& reference) {
+                    std::vector<double> errors = measureUsual(of, run, recording, reference);
+                    errors.resize(1);
+                    return errors;
+                }};
+    study.prelude = {{"fps", "60"}, {"seconds", "0.2"}, {"substeps", "400"}, {"iterations", "1"}};
+    study.reference.words = "Newton, until forces balance to 1e-10 of the largest";
+    study.reference.solve = [=](const Run&, int) { return fine(study, by("newton"), 1); };
+    const auto sweeps = [](const std::string& name, const Settings& settings, int last) {
+        return sharedOut(name, settings, 1, doubling(1, last));
+    };
+    study.curves = {sweeps("palindrome", firstOrder, 8192),
+                    sweeps("palindrome, float", firstOrderFloat, 8192),
+                    sweeps("one way", with(firstOrder, "direction", "one-way"), 16384),
+                    sweeps("block", by("block"), 2048),
+                    sweeps("implicit, one Newton step", by("implicit"), 1),
+                    sweeps("newton", by("newton"), 1)};
+    study.omissions = {"explicit, symplectic: they solve no equations",
+                       "nucleus: it knows no stiffness, only importance",
+                       "linearised: it makes every constraint rigid",
+                       "the start: after 0.2 s in 400 substeps of 1/60 s"};
+    return study;
+}
+
+}  // namespace plait
