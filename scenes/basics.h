@@ -6,6 +6,7 @@
 namespace plait {
 
 Scene band(const Knobs&);
+Scene bullet(const Knobs&);
 Scene cantilever(const Knobs&);
 Scene hangingChain(const Knobs&);
 Scene hangingSheet(const Knobs&);

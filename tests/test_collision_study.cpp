@@ -1,6 +1,8 @@
 // The pictures of Stam 2009, section 7: what they show is so.
 #include "catch.h"
 #include "report.h"
+#include "scenes/scene.h"
+#include "solver.h"
 #include "study/collision.h"
 
 #include <algorithm>
@@ -48,4 +50,25 @@ TEST_CASE("collision: bullets are found on their way, and missed where they end 
     // A step of n thicknesses, upright, ends within one of them in one of n cases.
     CHECK(foundBullets(30, 500).atEnd < 1.5 / 30);
     CHECK(foundBullets(1e5, 500).atEnd < 0.01);
+}
+
+TEST_CASE(
+    "collision: a sheet holds a ball that is looked for on its way, and only that [CC2][FX33]",
+    "[collision]") {
+    const auto leastClearance = [](const char* detection) {
+        const SceneEntry& entry = findScene("bullet");
+        Knobs knobs = Knobs::defaults(entry.knobs, Quality::preview);
+        knobs.texts["detection"] = detection;
+        const Scene scene = entry.build(knobs);
+        Solver<float> solver(scene.world, scene.options);
+        double least = 1;
+        for (int frame = 1; frame <= 12; ++frame) {
+            solver.frame();
+            const std::vector<Vec<double>> x = solver.positions(), v = solver.velocities();
+            least = std::min(least, scene.metrics[0].measure({x, v, solver.time(), frame}));
+        }
+        return least;
+    };
+    CHECK(leastClearance("path") > 0.018);
+    CHECK(leastClearance("end") < -0.5);
 }
