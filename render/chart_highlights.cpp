@@ -13,7 +13,7 @@ bool overlap(const Box& a, const Box& b) {
     return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
-// What a word there would hide: px of curves.
+// What a word there would hide: px of curves and front.
 double hidden(const Box& word, const Chart& chart, const Plot& plot, std::span<const Box> taken,
               double markerReach) {
     const Box& edge = plot.box;
@@ -24,13 +24,21 @@ double hidden(const Box& word, const Chart& chart, const Plot& plot, std::span<c
                      ? covering
                      : 0;
     for (const Box& box : taken) sum += overlap(word, box) ? covering : 0;
+    const auto addLength = [&](PagePoint a, PagePoint b) {
+        const auto [first, last] = inside(a, b, word);
+        if (first < last) sum += (last - first) * std::hypot(b.x - a.x, b.y - a.y);
+    };
     for (const Curve& curve : chart.curves)
         for (std::size_t i = 0; i < curve.points.size(); ++i) {
-            const PagePoint a = plot(curve.points[i == 0 ? 0 : i - 1]), b = plot(curve.points[i]);
+            const PagePoint b = plot(curve.points[i]);
             if (contains(near, b)) sum += 40;  // the marker
-            const auto [first, last] = inside(a, b, word);
-            if (first < last) sum += (last - first) * std::hypot(b.x - a.x, b.y - a.y);
+            if (i > 0 && curve.style.dash != Dash::none) addLength(plot(curve.points[i - 1]), b);
         }
+    for (std::size_t i = 1; i < chart.front.size(); ++i) {
+        const PagePoint a = plot(chart.front[i - 1]), b = plot(chart.front[i]);
+        addLength(a, {b.x, a.y});
+        addLength({b.x, a.y}, b);
+    }
     return sum;
 }
 
@@ -86,8 +94,7 @@ void addHighlights(Drawing& drawing, const Chart& chart, const Plot& plot, doubl
         const PagePoint near{std::clamp(p.x, best.left, best.right),
                              std::clamp(p.y, best.top, best.bottom)};
         const double gap = std::hypot(near.x - p.x, near.y - p.y);
-        if (gap > 1.2 * reach)
-            addLine(drawing, between(p, near, reach / gap), near, ink, 1.5 * size);
+        if (gap > 2 * reach) addLine(drawing, between(p, near, reach / gap), near, ink, 1.5 * size);
         addRectangle(drawing, best, chartGround, 0.9);
         addWord(drawing, best.left + 3, best.top + 4 + cap, word, style);
         taken.push_back(best);

@@ -92,6 +92,37 @@ TEST_CASE("The default is ringed, and the front is a staircase beneath the curve
     CHECK(same(pixel(picture, at(1, 20).x, at(1, 20).y - 2), chartGround));
 }
 
+TEST_CASE("The word default covers no marker, and a line leads to it from afar", "[chart]") {
+    Curve around{.style = {2, Marker::square, Dash::none}};
+    for (const double reach : {0.25, 0.4})
+        for (int i = 0; i < 8; ++i)
+            around.points.push_back(
+                {5 + reach * std::cos(i * 0.7854), 25 + 2 * reach * std::sin(i * 0.7854)});
+    const Drawing drawing =
+        figureDrawing(figureOf({.x = {.low = 0, .high = 10},
+                                .y = {.low = 20, .high = 30},
+                                .curves = {{.points = {{5, 25}}, .highlighted = 0}, around}}));
+    const auto at = [&](ChartPoint p) {
+        return PagePoint{across(drawing, "0", "10", p.x / 10),
+                         up(drawing, "20", "30", p.y / 10 - 2)};
+    };
+    const Box word = boxOf(wordOf(drawing, "default"));
+    const auto away = [&](PagePoint p) {
+        return std::hypot(p.x - std::clamp(p.x, word.left, word.right),
+                          p.y - std::clamp(p.y, word.top, word.bottom));
+    };
+    for (const ChartPoint& point : around.points) CHECK(away(at(point)) > 6);
+    const PagePoint center = at({5, 25});
+    bool led = false;
+    for (const Stroke& stroke : every<Stroke>(drawing))
+        led = led ||
+              (stroke.points.size() == 2 && same(stroke.color, ink) &&
+               std::abs(std::hypot(stroke.points[0].x - center.x, stroke.points[0].y - center.y) -
+                        15) < 1e-6 &&
+               away(stroke.points[1]) < 8);
+    CHECK(led);
+}
+
 TEST_CASE("A picture has curves, bands and ground where the drawing says", "[chart]") {
     Curve band{.name = "flat", .points = {{0, 25}, {10, 25}}, .style = {1, Marker::none}};
     band.low = {23, 23};

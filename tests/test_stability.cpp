@@ -5,10 +5,10 @@
 #include "program.h"
 #include "report.h"
 #include "scenes/scene.h"
-#include "solver.h"
 #include "stability/atlas.h"
 #include "stability/hanging_chain.h"
 #include "stability/spring_sheet.h"
+#include "stability/watch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,15 +48,10 @@ plait::Outcome unitSpring(Method method, double h, int steps) {
     Solver<double> solver(scene.world, scene.options);
     const double cross = method == Method::symplectic ? h : 0;
     Judge judge(0.5, 2);
-    try {
-        for (int step = 0; step < steps; ++step) {
-            solver.frame();
-            const double x = solver.positions()[0].x, v = solver.velocities()[0].x;
-            if (!judge.see((x * x + v * v - cross * x * v) / 2, 0)) break;
-        }
-    } catch (const Diverged&) {
-        judge.seeNotFinite();
-    }
+    watch(solver, steps, judge, [&] {
+        const double x = solver.positions()[0].x, v = solver.velocities()[0].x;
+        return judge.see((x * x + v * v - cross * x * v) / 2, 0);
+    });
     return judge.outcome();
 }
 

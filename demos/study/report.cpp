@@ -39,7 +39,7 @@ bool shown(const StudyPoint& point, std::size_t error) {
 
 Curve curveOf(const std::string& name, int style, const std::vector<StudyPoint>& points,
               std::size_t error, const Cost& cost, double seconds) {
-    Curve curve{.name = name.empty() ? "the scene's own" : name, .style = curveStyle(style)};
+    Curve curve{.name = name, .style = curveStyle(style)};
     for (const StudyPoint& point : points) {
         if (point.curve != name || point.omitted()) continue;
         const double x = cost.of(point, seconds);
@@ -49,6 +49,11 @@ Curve curveOf(const std::string& name, int style, const std::vector<StudyPoint>&
         } else if (point.failed() && x > 0) {
             curve.failures.push_back(x);
         }
+    }
+    if (name.empty()) {
+        const std::size_t runs = curve.points.size() + curve.failures.size();
+        curve.name = curve.highlighted && runs == 1 ? "the scene's own" : "other settings";
+        curve.style.dash = Dash::none;
     }
     return curve;
 }
