@@ -62,7 +62,8 @@ struct CcdScene {
     }
 
     void ask(const int (&v)[4], const std::vector<std::string_view>& row) {
-        CcdQuery query{.edges = row[0] == "ee"};
+        CcdQuery query{};
+        query.edges = row[0] == "ee";
         for (int c = 0; c < 4; ++c) query.vertex[c] = {start[v[c]], end[v[c]]};
         const Impact impact = answer(query, 0);
         const bool touches = row[5] == "1";

@@ -33,11 +33,12 @@ MovingVertex draw(Random& random, int family) {
     return m;
 }
 
-void print(const std::string& what, const Score& s) {
+// `early`: a moment of grazing lasts longer than one of crossing.
+void print(const std::string& what, const Score& s, double early) {
     INFO(what);
     CHECK(report(what + ": missed", s.missed, 0));
     CHECK(report("  told late", s.late, 0));
-    CHECK(report("  early", s.early, 1e-9));
+    CHECK(report("  early", s.early, early));
     note("  cases", s.cases);
     note("  touching", s.touching);
     note("  degenerate", s.degenerate);
@@ -60,9 +61,9 @@ void holdThin(int each) {
         const ExactPolygon flat(v, false, 0);
         holdThin(flat, flat.edge(0), thinPointEdge(v[0], v[1], v[2]), plane);
     }
-    print("point and edge in a plane", plane);
-    print("point and triangle", triangle);
-    print("edge and edge", edges);
+    print("point and edge in a plane", plane, 1e-9);
+    print("point and triangle", triangle, 1e-9);
+    print("edge and edge", edges, 1e-9);
 }
 
 void holdThick(int each) {
@@ -80,7 +81,7 @@ void holdThick(int each) {
         }
         const char* names[]{"thick points", "thick point and edge", "thick point and triangle",
                             "thick edges"};
-        print(names[kind], score);
+        print(names[kind], score, 1e-6);
     }
 }
 
@@ -90,7 +91,7 @@ TEST_CASE("thin queries, a million [CC4][CC5]", "[ccd][long]") { holdThin(340'00
 
 TEST_CASE("thick queries are those of exact arithmetic [CC6]", "[ccd]") { holdThick(1'250); }
 
-TEST_CASE("thick queries, 200,000 [CC6]", "[ccd][long]") { holdThick(50'000); }
+TEST_CASE("thick queries, 100,000 [CC6]", "[ccd][long]") { holdThick(25'000); }
 #endif
 
 TEST_CASE("in one dimension: the sign of the distance [CC3]", "[ccd]") {
@@ -99,9 +100,10 @@ TEST_CASE("in one dimension: the sign of the distance [CC3]", "[ccd]") {
     };
     CHECK_FALSE(thinPointPoint(line(0, 1), line(1, 2)));
     CHECK_FALSE(thinPointPoint(line(0, 0), line(5e-324, 1)));
-    CHECK(thinPointPoint(line(0, 1), line(1, 1)).value() > 1 - 1e-15);
+    CHECK(thinPointPoint(line(0, 1), line(1, 1)).value_or(0) > 1 - 1e-15);
     CHECK(thinPointPoint(line(1, 4), line(1, 2)) == 0.0);
-    CHECK(thinPointPoint(line(-1e300, 1e300), line(0, 0)).value() == Approx(0.5).epsilon(1e-15));
+    CHECK(thinPointPoint(line(-1e300, 1e300), line(0, 0)).value_or(0) ==
+          Approx(0.5).epsilon(1e-15));
 
     Random random(2);
     int wrong = 0, late = 0;

@@ -145,6 +145,14 @@ TEST_CASE("no root of a polynomial is missed, a million [CC7]", "[roots][ccd][lo
 }
 #endif
 
+TEST_CASE("a list of brackets that is full holds what comes in its last", "[roots][ccd]") {
+    Brackets<> brackets;
+    for (int i = 0; i < 12; ++i) brackets.append({0.08 * i, 0.08 * i + 0.01, true});
+    REQUIRE(brackets.size() == brackets.capacity);
+    CHECK((brackets[6].simple && !brackets[7].simple));
+    CHECK((brackets[7].low == 0.08 * 7 && brackets[7].high == 0.08 * 11 + 0.01));
+}
+
 TEST_CASE("roots at the ends, double, none, everywhere", "[roots][ccd]") {
     const auto one = isolateRoots(Bernstein<1>{{-1, 3}, 0});
     REQUIRE(one.size() == 1);
@@ -158,6 +166,11 @@ TEST_CASE("roots at the ends, double, none, everywhere", "[roots][ccd]") {
     CHECK_FALSE(two[0].simple);
     CHECK(isolateRoots(Bernstein<2>{{1 + 1e-13, -1 + 1e-13, 1 + 1e-13}, 0}).size() == 0);
     CHECK(isolateRoots(Bernstein<2>{{1 + 1e-13, -1 + 1e-13, 1 + 1e-13}, 2e-13}).size() == 1);
+
+    // (2 t - 1) (4 t - 1): one where the first part is split.
+    const auto middle = isolateRoots(Bernstein<2>{{1, -2, 3}, 0});
+    REQUIRE(middle.size() == 2);
+    CHECK((middle[0].simple && middle[1].simple));
 
     const auto ends = isolateRoots(Bernstein<2>{{0, 1, 0}, 0});
     REQUIRE(ends.size() == 2);

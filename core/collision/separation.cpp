@@ -115,7 +115,7 @@ T march(const Difference<k, T>& d, T from, T to, int& budget) {
         } else {
             if (!(end - from > instant<T>)) return larger(from, until);
             const T gained = 4 * (until - from);
-            stride = 0.25 * (end - from);
+            stride = (until > from ? 0.25 : 0.125) * (end - from);
             if (until > from && gained < stride) stride = gained;
         }
         from = larger(from, until);

@@ -5,6 +5,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
@@ -84,7 +85,7 @@ private:
         fresh_ = false;
         factors.factorize(matrix_);
         if (factors.info() != Eigen::Success) return false;
-        work_ += static_cast<long>(multiplications(factors) / multiplicationsOfALink);
+        work_ += static_cast<long>(std::ceil(multiplications(factors) / multiplicationsOfALink));
         solution_ = factors.solve(right_);
         return solution_.allFinite();
     }

@@ -62,21 +62,25 @@ struct Row {
     }
 };
 
-// Seconds a candidate, of some of them.
+void ask(const BroadPhaseSet& set, const Candidate& pair) {
+    const auto a = set.primitive(pair.a), b = set.primitive(pair.b);
+    const auto way = [&](int v) { return MovingVertex{set.start[v], set.end[v]}; };
+    if (set.arity == 1)
+        thickPointPoint(way(a[0]), way(b[0]), 2 * set.radius);
+    else
+        thickEdgeEdge(way(a[0]), way(a[1]), way(b[0]), way(b[1]), 2 * set.radius);
+}
+
+// Seconds a candidate, of some of them; the best of some rounds.
 double queryCost(const BroadPhaseSet& set, std::span<const Candidate> found) {
-    const std::size_t step = 1 + found.size() / 20000;
-    int asked = 0;
-    const double start = now(CLOCK_THREAD_CPUTIME_ID);
-    for (std::size_t i = 0; i < found.size(); i += step, ++asked) {
-        const auto a = set.primitive(found[i].a), b = set.primitive(found[i].b);
-        const auto way = [&](int v) { return MovingVertex{set.start[v], set.end[v]}; };
-        if (set.arity == 1)
-            thickPointPoint(way(a[0]), way(b[0]), 2 * set.radius);
-        else
-            thickEdgeEdge(way(a[0]), way(a[1]), way(b[0]), way(b[1]), 2 * set.radius);
+    const std::size_t step = 1 + found.size() / 20000, asked = (found.size() + step - 1) / step;
+    double best = HUGE_VAL;
+    for (int round = 0; round < 5 && asked > 0; ++round) {
+        const double start = now(CLOCK_THREAD_CPUTIME_ID);
+        for (std::size_t i = 0; i < found.size(); i += step) ask(set, found[i]);
+        best = std::min(best, now(CLOCK_THREAD_CPUTIME_ID) - start);
     }
-    const double taken = now(CLOCK_THREAD_CPUTIME_ID) - start;
-    return asked ? taken / asked : 0;
+    return asked > 0 ? best / double(asked) : 0;
 }
 
 template <int k>

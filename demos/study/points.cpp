@@ -223,10 +223,11 @@ std::vector<std::string> findings(const Study& study, const std::vector<StudyPoi
                                  curve.name.c_str(), before, nameOf(*rising[i - 1]).c_str(), after,
                                  nameOf(*rising[i]).c_str()));
         }
-        const double least = own ? workToReach(own->errors[0], rising) : none;
-        if (!curve.flaw.empty() && least < own->evaluations)
+        if (curve.flaw.empty() || !own) continue;
+        const double least = workToReach(own->errors[0], rising) / own->evaluations;
+        if (least < 1)
             lines.push_back(line("%s reaches the default's error with %.2f of its work, but %s",
-                                 curve.name.c_str(), least / own->evaluations, curve.flaw.c_str()));
+                                 curve.name.c_str(), least, curve.flaw.c_str()));
     }
     for (const StudyPoint& point : points)
         if (!point.sameBits)

@@ -71,7 +71,7 @@ class Trial {
 public:
     Trial(const Study& study, const Run& run) : study_(study), run_(run), solver_(make(run)) {}
 
-    Recording record() {
+    Recording record(long mostWork) {
         Recording recording;
         recording.startEnergy = energy(strainOf(solver_, run_.scene.world).stored);
         try {
@@ -80,6 +80,9 @@ public:
                 recording.seconds += cost.seconds;
                 recording.cpu += cost.cpu;
                 note(recording, f);
+                if (solver_.evaluations() <= mostWork) continue;
+                recording.ending = "more work than was allowed";
+                break;
             }
             recording.hash = std::to_string(solver_.hash());
         } catch (const Diverged& diverged) {
@@ -148,9 +151,9 @@ private:
 };
 
 template <class Real>
-Recording solveIn(const Study& study, const Run& run, bool timed) {
+Recording solveIn(const Study& study, const Run& run, bool timed, long mostWork) {
     Trial<Real> trial(study, run);
-    Recording recording = trial.record();
+    Recording recording = trial.record(mostWork);
     if (timed && recording.ending == "complete" && recording.seconds < 0.5) trial.repeat(recording);
     return recording;
 }
@@ -175,18 +178,18 @@ const Motions& endOfPrelude(const Study& study) {
 
 }  // namespace
 
-Recording solve(const Study& study, const Run& run, bool timed) {
+Recording solve(const Study& study, const Run& run, bool timed, long mostWork) {
     if (!study.prelude.empty()) {
         Study later = study;
         Run begun = run;
         begun.scene.world.start = endOfPrelude(study).x;
         begun.scene.world.velocity = endOfPrelude(study).v;
         later.prelude.clear();
-        return solve(later, begun, timed);
+        return solve(later, begun, timed, mostWork);
     }
     try {
-        return run.precision == Precision::single ? solveIn<float>(study, run, timed)
-                                                  : solveIn<double>(study, run, timed);
+        return run.precision == Precision::single ? solveIn<float>(study, run, timed, mostWork)
+                                                  : solveIn<double>(study, run, timed, mostWork);
     } catch (const std::invalid_argument& error) {
         Recording none;
         none.ending = std::string("omitted: ") + error.what();
