@@ -63,7 +63,23 @@ void setFrameRate(Run& run, const std::string& word) {
     schedule.substeps = static_cast<int>(std::clamp(substeps, 1.0, 1e6));
 }
 
-// In the order in which they are applied: the frame rate before the substeps.
+// Methods of springs have integrators of their own, which take the place of the scene's.
+Setting methodSetting() {
+    Setting setting = choice(
+        "method",
+        {"xpbd", "nucleus", "explicit", "symplectic", "implicit", "linearised", "block", "newton"},
+        "how constraints are solved", [](auto& run) -> auto& { return run.scene.options.method; });
+    setting.set = [set = setting.set](Run& run, const std::string& word) {
+        set(run, word);
+        SolverOptions& options = run.scene.options;
+        if (options.method == Method::explicitEuler || options.method == Method::symplectic ||
+            options.method == Method::implicit)
+            options.integrator = Integrator::first;
+    };
+    return setting;
+}
+
+// In the order in which they are applied: frame rate before substeps, method before integrator.
 const std::vector<Setting>& table() {
     static const std::vector<Setting> all = {
         {{"fps", "N|N/M", "frames in a second"}, frameRateText, setFrameRate},
@@ -72,11 +88,7 @@ const std::vector<Setting>& table() {
          [](Run& run, const std::string& word) {
              run.scene.seconds = parseNumber("--seconds", word, 0.001, 3600);
          }},
-        choice("method",
-               {"xpbd", "nucleus", "explicit", "symplectic", "implicit", "linearised", "block",
-                "newton"},
-               "how constraints are solved",
-               [](auto& run) -> auto& { return run.scene.options.method; }),
+        methodSetting(),
         choice("integrator", {"first", "bdf2", "midpoint"}, "order of the velocity rule",
                [](auto& run) -> auto& { return run.scene.options.integrator; }),
         choice("direction", {"palindrome", "one-way", "alternating"}, "of the sweeps of a column",
