@@ -194,7 +194,7 @@ void Skin::update(std::span<const Vec<double>> positions, std::span<const glm::v
     triangles_.resize(static_cast<std::size_t>(surfaceTriangles_));
     if (surfaceVertices_ > 0) updateSurface();
     updateCurves();
-    if (coil_) updateCoil();
+    if (coil_) updateCoil(*coil_);
 }
 
 void Skin::updateSurface() {
@@ -258,20 +258,20 @@ void Skin::updateCurves() {
     }
 }
 
-void Skin::updateCoil() {
+void Skin::updateCoil(const Coil& coil) {
     constexpr int steps = 8;  // in a turn; the tube is smooth between them
-    const glm::vec3 start = toGlm(coil_->from), along = coarse_[0] - start, axis = unit(along);
+    const glm::vec3 start = toGlm(coil.from), along = coarse_[0] - start, axis = unit(along);
     const glm::vec3 any = std::abs(axis.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
     const glm::vec3 across = glm::normalize(glm::cross(axis, any)), up = glm::cross(across, axis);
     std::vector<glm::vec3> points;
-    for (int i = 0; i <= steps * coil_->turns; ++i) {
+    for (int i = 0; i <= steps * coil.turns; ++i) {
         const float turn = static_cast<float>(i) / steps, a = glm::two_pi<float>() * turn;
-        points.push_back(start + turn / static_cast<float>(coil_->turns) * along +
-                         static_cast<float>(coil_->radius) *
+        points.push_back(start + turn / static_cast<float>(coil.turns) * along +
+                         static_cast<float>(coil.radius) *
                              (std::cos(a) * up + std::sin(a) * across));
     }
-    appendTube(points, std::vector<glm::vec3>(points.size()), false,
-               static_cast<float>(coil_->wire), vertices_, triangles_);
+    appendTube(points, std::vector<glm::vec3>(points.size()), false, static_cast<float>(coil.wire),
+               vertices_, triangles_);
 }
 
 }  // namespace plait

@@ -47,7 +47,7 @@ private:
                   const Look& look);
     void updateSurface();
     void updateCurves();
-    void updateCoil();
+    void updateCoil(const Coil& coil);
 
     Range range_;
     Material material_;

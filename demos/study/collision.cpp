@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace plait {
 namespace {
@@ -34,10 +35,16 @@ void addPaths(Chart& chart, const std::vector<LineParticle>& particles) {
                                 .style = curveStyle(static_cast<int>(i))});
 }
 
+double timeOfMeeting() {
+    const Impact impact = thinPointPoint(onLine(left), onLine(right));
+    if (!impact) throw std::logic_error("collision: left and right meet");
+    return *impact;
+}
+
 Chart meetingChart() {
     Chart chart = lineChart("V₀ V₁ < 0: met at t = V₀ / (V₀ − V₁)");
     addPaths(chart, {left, right});
-    const double t = *thinPointPoint(onLine(left), onLine(right));
+    const double t = timeOfMeeting();
     chart.curves.push_back(
         {.points = {{at(left, t), t}}, .style = {.color = 3, .marker = Marker::diamond}});
     return chart;
@@ -46,7 +53,7 @@ Chart meetingChart() {
 // The paths as they are after the meeting: a corner where it is.
 Chart bounceChart(const std::string& title, double restitution) {
     Chart chart = lineChart(title);
-    const double t = *thinPointPoint(onLine(left), onLine(right));
+    const double t = timeOfMeeting();
     const std::vector<LineParticle> after = resolveOnLine({left, right}, restitution, 1).back();
     addPaths(chart, {left, right});
     for (std::size_t i = 0; i < 2; ++i)
