@@ -1,5 +1,6 @@
 #include "basics.h"
 
+#include "collision/kdop.h"
 #include "collision/query.h"
 #include "forces/gravity.h"
 #include "measures.h"
@@ -49,17 +50,6 @@ Weights nearestWeights(const Vec<double>& p, const Corners& q) {
     return b;
 }
 
-// True if a slab across an axis parts a ball from a triangle.
-bool slabParts(const MovingVertex& p, const std::array<MovingVertex, 3>& q, double radius) {
-    for (const auto axis : {&Vec<double>::x, &Vec<double>::y, &Vec<double>::z}) {
-        const auto [low, high] = std::minmax({q[0].start.*axis, q[0].end.*axis, q[1].start.*axis,
-                                              q[1].end.*axis, q[2].start.*axis, q[2].end.*axis});
-        const auto [begin, end] = std::minmax(p.start.*axis, p.end.*axis);
-        if (begin - radius > high || end + radius < low) return true;
-    }
-    return false;
-}
-
 struct Meeting {
     int ball;
     std::vector<int> triangles;  // three vertices each
@@ -89,13 +79,21 @@ private:
         return {meeting_.onTheWay ? start : end, end};
     }
 
+    bool mayMeet(const MovingVertex& p, const std::array<MovingVertex, 3>& q) const {
+        const std::array start{p.start, q[0].start, q[1].start, q[2].start};
+        const std::array end{p.end, q[0].end, q[1].end, q[2].end};
+        const Travel travel{.start = start, .end = end, .radius = 0.5 * meeting_.radius};
+        constexpr int ball[]{0}, triangle[]{1, 2, 3};
+        return sweptBounds<6>(ball, travel).overlaps(sweptBounds<6>(triangle, travel));
+    }
+
     void part(Real* particles, const int* ids) {
         Real* const ball = particles + 8 * meeting_.ball;
         const std::array corners{particles + 8 * ids[0], particles + 8 * ids[1],
                                  particles + 8 * ids[2]};
         const MovingVertex p = path(ball);
         const std::array q{path(corners[0]), path(corners[1]), path(corners[2])};
-        if (slabParts(p, q, meeting_.radius)) return;  // nearly all: the query is dearer
+        if (!mayMeet(p, q)) return;  // nearly all: the query is dearer
         const Impact t = thickPointTriangle(p, q[0], q[1], q[2], meeting_.radius);
         if (!t) return;
         const Corners then{at(q[0], *t), at(q[1], *t), at(q[2], *t)};
@@ -182,7 +180,7 @@ Scene bullet(const Knobs& knobs) {
     scene.seconds = 1;
     scene.metrics = {clearance(meeting), greatestStrain(world, sheet, {0, 10})};
     View& view = scene.view;
-    view = viewOf({sheet, ball}, {0.5 * side, -0.5 * side, 0}, 1.2, Material::cotton,
+    view = viewOf({sheet, ball}, {0.5 * side, -0.55 * side, 0}, 1.4, Material::cotton,
                   {1.6, 0.35, 1.6});
     view.looks[1] = lookOf(ball, Material::brass, radius);
     view.groundHeight = floor;
