@@ -59,10 +59,10 @@ void Workers::run(const Job& job) {
 }
 
 void Workers::share(int thread) const {
-    const long blocks = (job_.count + job_.block - 1) / job_.block, all = threads();
-    const long first = blocks * thread / all, last = blocks * (thread + 1) / all;
-    const int begin = static_cast<int>(first * job_.block);
-    const int end = static_cast<int>(std::min<long>(last * job_.block, job_.count));
+    const long part = std::max(job_.block / 16, 1), parts = (job_.count + part - 1) / part;
+    const long first = parts * thread / threads(), last = parts * (thread + 1) / threads();
+    const int begin = static_cast<int>(first * part);
+    const int end = static_cast<int>(std::min<long>(last * part, job_.count));
     if (begin < end) job_.call(job_.context, begin, end);
 }
 

@@ -1,5 +1,5 @@
-// Threads that run blocks of fixed size from fixed starts: which thread runs a block never shows in
-// a result. No locks, no atomics on data, no allocation after construction.
+// Threads that share out loops whose turns do not meet: which thread runs what never shows in a
+// result. No locks, no atomics on data, no allocation after construction.
 #pragma once
 
 #include <atomic>
@@ -18,11 +18,11 @@ public:
 
     int threads() const { return static_cast<int>(pool_.size()) + 1; }
 
-    // Calls body(begin, end) for consecutive blocks of [0, count) and returns when all are done.
-    // The blocks are dealt out in contiguous runs, so that a thread meets the same data every time;
-    // what a thread has not begun when this one is through with its own, this one does too, so that
-    // threads without a core to run on hold nothing up. A count of less than two blocks runs here.
-    // `body` must not throw.
+    // Calls body(begin, end) for [0, count), cut at multiples of block / 16 (at least 1) into one
+    // run of equal length a thread, and returns when all are done. A thread meets the same data
+    // every time; what it has not begun when this one is through with its own, this one does too,
+    // so that threads without a core to run on hold nothing up. A count of less than two blocks
+    // runs here: dealing it out would cost more. `body` must not throw.
     template <class Body>
     void forBlocks(int count, int block, const Body& body) {
         const auto call = [](const void* context, int begin, int end) {

@@ -96,6 +96,21 @@ TEST_CASE("Quadratic drag converges to tanh", "[air]") {
     }
 }
 
+TEST_CASE("An interval of three is one push of three substeps, and none between", "[air]") {
+    constexpr double h = 0.01;
+    AirOptions options{.lift = 0.5, .addedMass = 0.3, .wind = {steady({3, 1, 2})}};
+    Run every(plate(0.4), options);
+    options.interval = 3;
+    Run third(plate(0.4), options);
+    for (long s = 0; s < 12; ++s) {
+        third.state.substep = s;
+        third.blow(h);
+        if (s % 3 == 0) every.blow(3 * h);
+        CHECK(third.velocity() == every.velocity());
+    }
+    CHECK(length(every.velocity()) > 0.1);
+}
+
 TEST_CASE("Drag grows with speed and speed squared, lift with speed squared", "[air]") {
     const Vec<double> x{1, 0, 0}, y{0, 1, 0};
     for (const AirForm form : {legacy, physical}) {

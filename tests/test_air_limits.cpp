@@ -194,6 +194,7 @@ TEST_CASE("Values outside their range are warned of by name; nonsense is refused
     refuses({.lift = INFINITY}, "air: all numbers must be finite");
     refuses({.addedMass = -0.1}, "air: added mass must not be negative");
     refuses({.width = -1}, "air: width must not be negative");
+    refuses({.interval = 0}, "air: interval must be at least 1");
     refuses({.wind = {{}, -1}}, "air: noise must not be negative");
     refuses({.wind = {{}, 1, 0}}, "air: noise length must be positive");
     refuses({.wind = {{}, 1, 1, 0}}, "air: noise time must be positive");

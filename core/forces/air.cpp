@@ -24,6 +24,7 @@ void validate(const AirOptions& options) {
         refuse(!std::isfinite(value), "all numbers must be finite");
     refuse(options.addedMass < 0, "added mass must not be negative");
     refuse(options.width < 0, "width must not be negative");
+    refuse(options.interval < 1, "interval must be at least 1");
     refuse(wind.noise < 0, "noise must not be negative");
     refuse(wind.noiseLength <= 0, "noise length must be positive");
     refuse(wind.noiseTime <= 0, "noise time must be positive");
@@ -100,6 +101,7 @@ AirStep<Real> Air<Real>::stepOf(State<Real>& state) const {
 
 template <class Real>
 void Air<Real>::prepare(State<Real>& state, Workers& workers) {
+    if (rests(state)) return;
     if (hasInertia()) state.hasAir = true;
     const AirStep<Real> step = stepOf(state);
     for (std::size_t kind = 0; kind < 2; ++kind) {
@@ -117,10 +119,12 @@ void Air<Real>::prepare(State<Real>& state, Workers& workers) {
 
 template <class Real>
 void Air<Real>::apply(State<Real>& state, double t, double h, Workers& workers) {
+    if (rests(state)) return;
     if (!(t >= from_ && t < to_)) beginFrame(state, t, t, workers);  // there are no frames
     const bool legacy = options_.form == AirForm::legacy;
     const Vec<double> wind = options_.wind.velocity ? options_.wind.velocity(t) : Vec<double>{};
-    const double force = h * options_.density * (legacy ? 1 : 0.5), drag = force * options_.drag;
+    const double force = h * options_.interval * options_.density * (legacy ? 1 : 0.5),
+                 drag = force * options_.drag;
     AirStep<Real> step = stepOf(state);
     step.wind[0] = static_cast<Real>(wind.x);
     step.wind[1] = static_cast<Real>(wind.y);

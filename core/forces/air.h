@@ -19,9 +19,9 @@
 // solved implicitly (backward Euler; a quadratic equation in `physical`) on facet and share alone.
 // Energy is convex, so the sum of all facets gains none, for any h, masses and pins; terminal
 // velocity and the angle of a strip in wind are exact for any h if gravity has acted before, so
-// register air after it. Lift does no work in the frame of the air: `physical` keeps to that
-// exactly, turning u by a scheme of first order; `legacy` is explicit and gains energy at high
-// speed, as M 5.3 warns [AW6]. Negative drag and lift are explicit.
+// register air after it, with an interval of 1. Lift does no work in the frame of the air:
+// `physical` keeps to that exactly, turning u by a scheme of first order; `legacy` is explicit and
+// gains energy at high speed, as M 5.3 warns [AW6]. Negative drag and lift are explicit.
 //
 // Gusts are sampled where a facet is when a frame begins, for the times of both its ends, and run
 // straight between them, as everything that is animated does (M 2.4); `velocity` is asked in every
@@ -58,6 +58,7 @@ struct AirOptions {
     // its way.
     double addedMass = 0;
     double width = 0.01;              // m, of a curve: its area per length
+    int interval = 1;                 // substeps from one push to the next, which is for them all
     std::vector<Range> objects = {};  // that the air acts on; empty: everything
     Wind wind = {};
 };
@@ -71,8 +72,8 @@ template <class Real>
 class Air : public Force<Real> {
 public:
     // Throws std::invalid_argument for numbers that are not finite, a noise, added mass or width
-    // below 0, a noise length or time not above 0, objects that the world has not, and kernels that
-    // are not available.
+    // below 0, a noise length or time not above 0, an interval below 1, objects that the world has
+    // not, and kernels that are not available.
     Air(const World& world, const AirOptions& options, KernelChoice kernels = bestKernels());
 
     std::string name() const override { return "air"; }
@@ -81,11 +82,12 @@ public:
     void prepare(State<Real>& state, Workers& workers) override;
     void apply(State<Real>& state, double t, double h, Workers& workers) override;
 
-    // N s that the air gave in the last substep, what pins took included.
+    // N s that the air last gave, what pins took included.
     Vec<double> impulse() const;
 
 private:
     Vec<double> gust(const Vec<double>& x, double t) const;
+    bool rests(const State<Real>& state) const { return state.substep % options_.interval != 0; }
     AirStep<Real> stepOf(State<Real>& state) const;
 
     AirOptions options_;

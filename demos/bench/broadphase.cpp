@@ -218,6 +218,23 @@ void answerClaims(const std::vector<Row>& rows) {
     }
 }
 
+// How many times faster two threads are, medians: on fewer primitives the first halvings of a tree,
+// which are one thread's, are too much of it.
+void printGains(const std::vector<Row>& rows) {
+    constexpr int least = 5000;
+    std::printf("two threads, from %d primitives on, medians:", least);
+    for (const auto& [name, times] :
+         {std::pair{"build", &Row::build}, {"refit", &Row::refit}, {"pairs", &Row::pairs}}) {
+        std::vector<double> gains;
+        for (const Row& row : rows)
+            if (row.count >= least) gains.push_back((row.*times).gain());
+        const auto middle = gains.begin() + static_cast<long>(gains.size() / 2);
+        std::nth_element(gains.begin(), middle, gains.end());
+        std::printf(" %s %.2f", name, *middle);
+    }
+    std::printf(" times faster than one\n");
+}
+
 }  // namespace
 
 int benchBroadPhase() {
@@ -225,8 +242,7 @@ int benchBroadPhase() {
     if (getloadavg(&load, 1) < 1) load = 0;
     std::printf(
         "broad phase, ns a primitive with one thread; `two` is how many times faster two threads "
-        "are, "
-        "which other programs spoil:\nload before the start %.1f, on %d cores\n\n",
+        "are, which other programs spoil:\nload before the start %.1f, on %d cores\n\n",
         load, usableCores());
     std::printf("%-22s %8s %-7s %8s %8s %8s %8s %8s %8s  %17s\n", "", "", "", "", "", "", "candi-",
                 "ns a", "", "two: build refit pairs");
@@ -240,6 +256,7 @@ int benchBroadPhase() {
                 rows.push_back(row);
             }
     answerClaims(rows);
+    printGains(rows);
     const std::filesystem::path folder = "out/bench/broadphase";
     makeFolder(folder);
     writeWhole(folder / "table.csv", csvOf(rows));
