@@ -53,12 +53,14 @@ std::string numbersOf(const Run& run, const RunFrame& frame) {
     std::string line;
     for (const auto& [name, value] : settingsOf(run)) {
         if (name == "method") line += value;
-        if (name == "substeps") line += " · " + value + " substeps";
+        if (name == "substeps") line += " · " + value + (value == "1" ? " substep" : " substeps");
     }
     for (std::size_t i = 0; i < run.scene.metrics.size(); ++i) {
         const Metric& metric = run.scene.metrics[i];
         if (metric.caption)
-            line += " · " + metric.name + " " + rounded("%.2f", frame.metrics[i]) +
+            // Not -0.00.
+            line += " · " + metric.name + " " +
+                    rounded("%.2f", std::round(100 * frame.metrics[i]) / 100 + 0.0) +
                     (metric.unit.empty() ? "" : " " + metric.unit);
     }
     return line + " · " + rounded("%.1f", 1000 * frame.seconds) + " ms a frame";

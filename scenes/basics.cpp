@@ -12,14 +12,14 @@ namespace {
 
 constexpr Vec<double> gravity{0, -9.81, 0};
 
-// In m: how far a point hangs below its pin.
+// In mm: how far a point hangs below its pin.
 Metric sag(int point, Band band) {
     return {.name = "sag" + std::to_string(point),
-            .unit = "m",
+            .unit = "mm",
             .measure =
                 [=](const Snapshot& at) {
-                    return 0.1 * sine(2 * at.time) -
-                           at.positions[static_cast<std::size_t>(point)].y;
+                    return 1000 * (0.1 * sine(2 * at.time) -
+                                   at.positions[static_cast<std::size_t>(point)].y);
                 },
             .low = band.low,
             .high = band.high,
@@ -175,8 +175,8 @@ Scene softPins(const Knobs&) {
     };
     scene.world.constrain(pins, {.name = "pins"});
     for (int i = 0; i < 3; ++i) {
-        const double still = 0.1 * 9.81 * 1e-3 * i;  // load over stiffness
-        scene.metrics.push_back(sag(i, {0.9 * still - 1e-6, 1.1 * still + 1e-6, 1}));
+        const double still = 0.1 * 9.81 * i;  // load over stiffness
+        scene.metrics.push_back(sag(i, {0.9 * still - 1e-3, 1.1 * still + 1e-3, 1}));
     }
     scene.view = viewOf({points}, {0.5, 0, 0}, 0.9, Material::brass);
     scene.view.looks[0].radius = 0.06;

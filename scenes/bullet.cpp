@@ -15,6 +15,8 @@
 namespace plait {
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 using Weights = std::array<double, 3>;
 using Corners = std::array<Vec<double>, 3>;
 
@@ -39,7 +41,7 @@ Weights nearestWeights(const Vec<double>& p, const Corners& q) {
     for (int i = 0; i < 3; ++i)
         b[i] = dot(cross(q[(i + 2) % 3] - q[(i + 1) % 3], p - q[(i + 1) % 3]), n) / dot(n, n);
     if (*std::min_element(b.begin(), b.end()) >= 0) return b;
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     for (int i = 0; i < 3; ++i) {
         const Weights edge = nearestOnEdge(p, q, i, (i + 1) % 3);
         const Vec<double> d = p - blend(edge, q);
@@ -62,13 +64,18 @@ struct Meeting {
 template <class Real>
 class Apart : public Constraint<Real> {
 public:
-    explicit Apart(Meeting meeting) : meeting_(std::move(meeting)) {}
+    explicit Apart(Meeting meeting)
+        : meeting_(std::move(meeting)), touched_(static_cast<std::size_t>(meeting_.ball) + 1) {}
 
+    void begin(const Substep&, Workers&) override { std::ranges::fill(touched_, 0); }
     void project(const Sweep<Real>& sweep, Direction direction, Workers&) override {
         const int last = static_cast<int>(size()) - 1;
         for (int i = 0; i <= last; ++i)
             part(sweep.particles,
                  &meeting_.triangles[3 * (direction == Direction::forward ? i : last - i)]);
+    }
+    void markTouched(std::vector<std::uint8_t>& touched) const override {
+        for (std::size_t i = 0; i < touched_.size(); ++i) touched[i] |= touched_[i];
     }
     long size() const override { return static_cast<long>(meeting_.triangles.size() / 3); }
 
@@ -104,6 +111,7 @@ private:
         double w = ball[3];
         for (int i = 0; i < 3; ++i) w += b[i] * b[i] * corners[i][3];
         const double lambda = -c / w;
+        for (const int v : {meeting_.ball, ids[0], ids[1], ids[2]}) touched_[v] = 1;
         move(ball, lambda * n);
         for (int i = 0; i < 3; ++i) move(corners[i], -b[i] * lambda * n);
     }
@@ -115,13 +123,14 @@ private:
     }
 
     Meeting meeting_;
+    std::vector<std::uint8_t> touched_;  // up to the ball, which comes after the sheet
 };
 
 // In m: from the middle of the ball to the sheet; below 0 where it is behind.
 Metric clearance(const Meeting& meeting) {
     const auto measure = [=](const Snapshot& at) {
         const Vec<double> p = at.positions[static_cast<std::size_t>(meeting.ball)];
-        double least = std::numeric_limits<double>::infinity();
+        double least = infinity;
         bool behind = false;
         for (std::size_t i = 0; i < meeting.triangles.size(); i += 3) {
             const int* const ids = &meeting.triangles[i];
@@ -139,8 +148,8 @@ Metric clearance(const Meeting& meeting) {
     return {.name = "clearance",
             .unit = "m",
             .measure = measure,
-            .low = meeting.onTheWay ? 0.9 * meeting.radius : -100,
-            .high = 100,
+            .low = meeting.onTheWay ? 0.9 * meeting.radius : -infinity,
+            .high = infinity,
             .caption = true};
 }
 

@@ -33,8 +33,8 @@ Impact thinPointTriangle(const MovingVertex& p, const MovingVertex& a, const Mov
 Impact thinEdgeEdge(const MovingVertex& a, const MovingVertex& b, const MovingVertex& c,
                     const MovingVertex& d);
 
-// Thick, in three dimensions: closer than the thickness, the sum of those of both (m); degrees 2,
-// 4, 6 and 6 (S 7, figure 19). With a thickness of 0 the last two are the thin ones.
+// Thick, in three dimensions: the thickness is the sum of those of both (m); degrees 2, 4, 6 and 6
+// (S 7, figure 19). With a thickness of 0 the last two are the thin ones.
 Impact thickPointPoint(const MovingVertex& a, const MovingVertex& b, double thickness);
 Impact thickPointEdge(const MovingVertex& p, const MovingVertex& a, const MovingVertex& b,
                       double thickness);

@@ -1,6 +1,7 @@
 #include "bench/ccd.h"
 
 #include "bench/ccd_data.h"
+#include "errors.h"
 #include "solver.h"
 
 #include <algorithm>
@@ -44,9 +45,9 @@ void print(const std::string& name, Tally& tally, bool known) {
     std::sort(t.begin(), t.end());
     std::printf("%-28s %6zu %6d", name.c_str(), t.size(), tally.told);
     if (known) {
-        std::printf(" %6d %6d", tally.missed, tally.invented);
+        std::printf(" %6d %8d", tally.missed, tally.invented);
     } else {
-        std::printf(" %6s %6s", "", "");
+        std::printf(" %6s %8s", "?", "?");
     }
     std::printf(" %7.2f %7.2f %7.1f ", t[t.size() / 2], t[t.size() * 99 / 100], t.back());
     std::size_t below = 0;
@@ -60,10 +61,10 @@ void print(const std::string& name, Tally& tally, bool known) {
 }
 
 void header() {
-    std::printf("%-28s %6s %6s %6s %6s %7s %7s %7s  histogram, queries below (us):\n", "", "", "",
-                "", "in-", "median", "99 %", "worst");
-    std::printf("%-28s %6s %6s %6s %6s %7s %7s %7s ", "", "asked", "told", "missed", "vented", "us",
-                "us", "us");
+    std::printf("microseconds a query, the median of %d; on the right: how many took less than\n\n",
+                repeats);
+    std::printf("%-28s %6s %6s %6s %8s %7s %7s %7s ", "", "asked", "told", "missed", "invented",
+                "median", "99 %", "worst");
     for (const double bound : bounds) std::printf(" %5g", bound);
     std::printf("  more\n");
 }
@@ -114,10 +115,22 @@ void askRandom() {
 }  // namespace
 
 int benchCcd() {
-    const std::filesystem::path folder = ccdFolder("../shared/ccd");
+    const std::filesystem::path usual = "../shared/ccd", folder = ccdFolder(usual);
+    const std::vector<std::string> tables = ccdTables(folder);
+    if (tables.empty() && folder != usual)
+        throw FileError(folder.string() + ": PLAIT_CCD_DATA names no folder of query sets");
+    if (tables.empty())
+        std::printf(
+            "no query sets in %s, nor does PLAIT_CCD_DATA name a folder of them: random queries, "
+            "whose answers are not known\n\n",
+            usual.c_str());
+    else
+        std::printf(
+            "just reached: with a thickness of 1.001 times the least distance; 1e-6 clear: of "
+            "0.999 "
+            "times less 1e-6\n");
     const FlushDenormals flush;
     header();
-    const std::vector<std::string> tables = ccdTables(folder);
     for (const std::string& name : tables)
         askTable(name, readCcdQueries(folder / "open" / (name + ".csv.gz")));
     if (tables.empty()) askRandom();

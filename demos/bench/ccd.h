@@ -5,7 +5,7 @@
 namespace plait {
 
 // Reads the query sets of the folder that PLAIT_CCD_DATA names, or ../shared/ccd; random queries
-// where there are none. Returns an exit status.
+// where the latter has none. Returns an exit status. Throws FileError.
 int benchCcd();
 
 }  // namespace plait

@@ -1,15 +1,16 @@
 #include "bench/ccd_data.h"
 
+#include "errors.h"
+#include "files.h"
+
 #include <libdeflate.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <memory>
-#include <stdexcept>
 #include <string_view>
 
 namespace plait {
@@ -19,8 +20,8 @@ namespace {
 double number(std::string_view field) {
     double a = 0;
     const auto [end, error] = std::from_chars(field.begin(), field.end(), a);
-    if (!field.empty() && (error != std::errc() || end != field.end()))
-        throw std::runtime_error("no number: " + std::string(field));
+    if (!field.empty() && (error != std::errc() || end != field.end() || !std::isfinite(a)))
+        throw FileError("no number: " + std::string(field));
     return a;
 }
 
@@ -28,7 +29,7 @@ constexpr std::size_t columns = 38, coordinates = 14;
 
 CcdQuery row(std::string_view line) {
     const auto field = split(line, ',');
-    if (field.size() != columns) throw std::runtime_error("a row has not 38 fields");
+    if (field.size() != columns) throw FileError("a row has not 38 fields");
     CcdQuery query{.id = std::string(field[0]),
                    .edges = field[1] == "ee",
                    .touches = field[2] == "1",
@@ -73,12 +74,9 @@ std::vector<std::string> ccdTables(const std::filesystem::path& folder) {
 }
 
 std::string gunzip(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    const std::string packed{std::istreambuf_iterator<char>(in), {}};
-    const auto fail = [&](const char* what) {
-        throw std::runtime_error(file.string() + ": " + what);
-    };
-    if (!in || packed.size() < 18) fail("cannot be read as gzip");
+    const std::string packed = readWhole(file);
+    const auto fail = [&](const char* what) { throw FileError(file.string() + ": " + what); };
+    if (packed.size() < 18 || !packed.starts_with("\x1f\x8b")) fail("is no gzip file");
     std::uint32_t size = 0;  // the last four bytes, modulo 2^32
     for (std::size_t i = 1; i <= 4; ++i)
         size = size << 8 | static_cast<unsigned char>(packed[packed.size() - i]);
@@ -110,8 +108,8 @@ std::vector<CcdQuery> readCcdQueries(const std::filesystem::path& file) {
         if (!header && !line.empty()) {
             try {
                 queries.push_back(row(line));
-            } catch (const std::runtime_error& error) {
-                throw std::runtime_error(file.string() + ": " + error.what());
+            } catch (const FileError& error) {
+                throw FileError(file.string() + ": " + error.what());
             }
         }
         header = false;

@@ -32,14 +32,13 @@ std::filesystem::path ccdFolder(const std::filesystem::path& otherwise);
 // The names of the tables of that folder, without those that are not there.
 std::vector<std::string> ccdTables(const std::filesystem::path& folder);
 
-// The whole of a gzip file of one member and at most 256 MB. Throws std::runtime_error that names
-// the file.
+// The whole of a gzip file of one member and at most 256 MB. Throws FileError, naming the file.
 std::string gunzip(const std::filesystem::path& file);
 
 // What lies between the separators.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
-// Throws std::runtime_error, naming the file, where it cannot be read, uncompressed or understood.
+// Throws FileError, naming the file, where it cannot be read, uncompressed or understood.
 std::vector<CcdQuery> readCcdQueries(const std::filesystem::path& file);
 
 // The answer of core/collision/query.h; thin with a thickness of 0.

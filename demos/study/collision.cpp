@@ -203,7 +203,7 @@ Found foundBullets(double length, int count) {
 
 Figure spaceTimeFigure() {
     const auto stages = resolveOnLine(trio, 1, 16);
-    Chart predicted = lineChart("Three, as predicted"), once = lineChart("The first met apart"),
+    Chart predicted = lineChart("Three, as predicted"), once = lineChart("After the first meeting"),
           last = lineChart("All of them: " + std::to_string(stages.size() - 1) + " meetings");
     addPaths(predicted, stages.front());
     addPaths(once, stages[1]);
