@@ -1,5 +1,7 @@
 #include "progress.h"
 
+#include "interrupt.h"
+
 #include <unistd.h>
 #include <algorithm>
 #include <cstdio>
@@ -10,6 +12,9 @@ namespace {
 
 constexpr int barWidth = 28;
 constexpr double barPeriod = 0.1, linePeriod = 5;  // s
+
+thread_local Progress* followed = nullptr;
+thread_local int solved = 0;
 
 }  // namespace
 
@@ -23,7 +28,19 @@ Progress::Progress(std::string name, int begun, int total, bool quiet, std::stri
                                     : Form::lines) {}
 
 Progress::~Progress() {
+    if (followed == this) followed = nullptr;
     if (drawn_) std::fputc('\n', stderr);
+}
+
+void Progress::follow() {
+    followed = this;
+    solved = begun_;
+}
+
+void frameSolved() {
+    if (!followed) return;
+    followed->show(++solved);
+    stopIfInterrupted();
 }
 
 void Progress::show(int done) {

@@ -16,6 +16,8 @@ public:
 
     // `done` frames are; shows it if it is time to.
     void show(int done);
+    // While this lives, frameSolved() on this thread shows one more: for loops that know of none.
+    void follow();
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -27,5 +29,8 @@ private:
     Clock::time_point start_ = Clock::now(), shown_ = start_;
     bool drawn_ = false;
 };
+
+// A frame was solved. Throws Interrupted, if anything is followed.
+void frameSolved();
 
 }  // namespace plait

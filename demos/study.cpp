@@ -70,7 +70,7 @@ int sweep(const Study& study, const Arguments& given) {
     if (given.has("force")) folder.clear(given.value("task"));
     if (given.has("task")) return runTask(study, folder, given.value("task"));
     const bool quiet = given.has("quiet");
-    const Reference reference = keptReference(study, folder.referencePath());
+    const Reference reference = keptReference(study, folder.referencePath(), quiet);
     if (!quiet) std::printf("%s\n\n", describe(study, reference).c_str());
     if (runs) executeAll(study, tasks, reference, folder, jobs, quiet);
     const std::string text = writeReport(study, folder.rows(), reference, folder, given.line);

@@ -286,6 +286,9 @@ TEST_CASE("study, from outside", "[study][program]") {
     const Outcome once = study({"unit-spring", "--out", out, "--task", word});
     REQUIRE(once.status == 0);
     CHECK(study({"unit-spring", "--out", out, "--task", word}).out == once.out);
+    const Outcome solved =
+        study({"unit-spring", "--out", (folder / "other").string(), "--collect"});
+    CHECK(contains(solved.err, "reference of unit-spring: 30/30 frames"));
     const Outcome again = study({"unit-spring", "--out", out, "--task", word, "--force"});
     CHECK(again.status == 0);
     CHECK(again.out != once.out);  // times differ

@@ -3,6 +3,7 @@
 #include "study/definitions.h"
 
 #include "elementary.h"
+#include "progress.h"
 #include "study/rigid_chain.h"
 #include "words.h"
 
@@ -12,8 +13,10 @@ namespace {
 // Where the unit spring is: cos t.
 Trajectory cosines(const Run& run) {
     Trajectory trajectory;
-    for (int f = 1; f <= run.frames(); ++f)
+    for (int f = 1; f <= run.frames(); ++f) {
         trajectory.push_back({Vec<double>{cosine(f / run.frameRate()), 0, 0}});
+        frameSolved();
+    }
     return trajectory;
 }
 

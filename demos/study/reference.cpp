@@ -2,6 +2,7 @@
 
 #include "errors.h"
 #include "files.h"
+#include "progress.h"
 #include "study/solve.h"
 #include "words.h"
 
@@ -19,10 +20,14 @@ std::string headerOf(const Study& study) {
 
 }  // namespace
 
-Reference findReference(const Study& study) {
+Reference findReference(const Study& study, bool quiet) {
     Reference reference;
     if (!study.reference.solve) return reference;
     const Run run = studyRun(study, {});
+    const int prelude = study.prelude.empty() ? 0 : studyRun(study, study.prelude).frames();
+    const int solutions = study.reference.confirm ? 3 : 1;
+    Progress progress("reference of " + study.name, 0, prelude + solutions * run.frames(), quiet);
+    progress.follow();
     if (!study.reference.confirm) {
         reference.trajectory = study.reference.solve(run, 0);
         reference.frames = run.frames();
@@ -44,7 +49,7 @@ Reference findReference(const Study& study) {
     return reference;
 }
 
-Reference keptReference(const Study& study, const std::filesystem::path& file) {
+Reference keptReference(const Study& study, const std::filesystem::path& file, bool quiet) {
     if (!study.reference.solve) return {};
     const std::string header = headerOf(study), mark = "differences=";
     if (std::filesystem::exists(file)) {
@@ -63,7 +68,7 @@ Reference keptReference(const Study& study, const std::filesystem::path& file) {
             return reference;
         }
     }
-    const Reference reference = findReference(study);
+    const Reference reference = findReference(study, quiet);
     writeWhole(file, header + mark + std::to_string(reference.frames) + "," +
                          text(reference.selfDifference) + "," + text(reference.confirmation) +
                          "\n" + csvOf(reference.trajectory));

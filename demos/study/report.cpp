@@ -103,13 +103,18 @@ std::vector<ChartFile> writeCharts(const Study& study, const std::vector<StudyPo
     const Machine machine = thisMachine();
     char busy[64];
     std::snprintf(busy, sizeof busy, "; wall time was %.2f times this", busyness(points));
+    const bool shortened = std::ranges::any_of(study.curves, [](const StudyCurve& curve) {
+        return curve.name.find(" x ") != std::string::npos;
+    });
+    const std::string key = shortened ? "; n x m: n substeps a frame of m iterations" : "";
     for (std::size_t error = 0; error < study.errors.size(); ++error)
         for (const Cost& cost : {byTime, byWork}) {
             if (error > 0 && !cost.file.empty()) continue;
             Figure figure{.title = study.title,
-                          .note = cost.file.empty() ? machine.processor + ", one thread, " +
-                                                          machine.kernels + busy
-                                                    : "counted work: without noise",
+                          .note = (cost.file.empty() ? machine.processor + ", one thread, " +
+                                                           machine.kernels + busy
+                                                     : "counted work: without noise") +
+                                  key,
                           .charts = {Chart{}}};
             if (!chartOf(study, points, error, cost, seconds, figure.charts[0])) continue;
             const std::string file =

@@ -1,6 +1,7 @@
 #include "study/rigid_chain.h"
 
 #include "elementary.h"
+#include "progress.h"
 #include "study/runge_kutta.h"
 
 #include <stdexcept>
@@ -92,6 +93,7 @@ Trajectory rigidChain(const World& world, const Vec<double>& gravity, double fra
     for (int frame = 0; frame < frames; ++frame) {
         for (int i = 0; i < stepsPerFrame; ++i) chain.step(at, frameLength / stepsPerFrame);
         trajectory.push_back(at.x);
+        frameSolved();
     }
     return trajectory;
 }
@@ -111,6 +113,7 @@ Trajectory pendulumByAngle(const World& world, double g, double frameLength, int
             z += h / 6 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
         }
         trajectory.push_back({pin, pin + l * Vec<double>{sine(z.x), -cosine(z.x), 0}});
+        frameSolved();
     }
     return trajectory;
 }

@@ -1,5 +1,6 @@
 #include "study/soft_motion.h"
 
+#include "progress.h"
 #include "solver.h"
 #include "study/runge_kutta.h"
 
@@ -62,6 +63,7 @@ Trajectory softMotion(const World& world, const Vec<double>& gravity, double fra
             rungeKuttaStep(at, frameLength / stepsPerFrame,
                            [&](const Motions& m) { return rate(m); });
         trajectory.push_back(at.x);
+        frameSolved();
     }
     return trajectory;
 }

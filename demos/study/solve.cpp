@@ -3,6 +3,7 @@
 #include "errors.h"
 #include "interrupt.h"
 #include "measure/energy.h"
+#include "progress.h"
 #include "solver.h"
 #include "study/median.h"
 #include "study/runge_kutta.h"
@@ -80,6 +81,7 @@ public:
                 recording.seconds += cost.seconds;
                 recording.cpu += cost.cpu;
                 note(recording, f);
+                frameSolved();
                 if (solver_.evaluations() <= mostWork) continue;
                 recording.ending = "more work than was allowed";
                 break;
@@ -170,6 +172,7 @@ const Motions& endOfPrelude(const Study& study) {
         for (int f = 0; f < run.frames(); ++f) {
             stopIfInterrupted();
             solver.frame();
+            frameSolved();
         }
         end = {solver.positions(), solver.velocities()};
     }
