@@ -24,11 +24,12 @@
 // gains energy at high speed, as M 5.3 warns [AW6]. Negative drag and lift are explicit.
 //
 // Gusts are sampled where a facet is when a frame begins, for the times of both its ends, and run
-// straight between them, as everything that is animated does (M 2.4); `velocity` is asked in every
-// substep. With c the larger of frame / noise time and frame * drift / noise length the error is
-// 0.9 c^2 of the gusts, root mean square, and 1.8 c^2 where both are alike: 0.3 % at 24 frames a
-// second, 1 s, and 1 m/s over 1 m; 10 % at c = 1/4, beyond which gusts lose strength as well. What
-// a facet moves in a frame it notices when the next begins. Outside a frame gusts are those of t.
+// straight between them, as everything that is animated does (M 2.4); `velocity` is asked whenever
+// the air pushes. With c the larger of frame / noise time and frame * drift / noise length the
+// error is 0.9 c^2 of the gusts, root mean square, and 1.8 c^2 where both are alike: 0.3 % at 24
+// frames a second, 1 s, and 1 m/s over 1 m; 10 % at c = 1/4, beyond which gusts lose strength as
+// well. What a facet moves in a frame it notices when the next begins. Outside a frame gusts are
+// those of t.
 #pragma once
 
 #include "complex.h"

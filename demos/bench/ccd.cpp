@@ -127,8 +127,7 @@ int benchCcd() {
     else
         std::printf(
             "just reached: with a thickness of 1.001 times the least distance; 1e-6 clear: of "
-            "0.999 "
-            "times less 1e-6\n");
+            "0.999 times less 1e-6\n");
     const FlushDenormals flush;
     header();
     for (const std::string& name : tables)
