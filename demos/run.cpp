@@ -27,11 +27,12 @@ int run(const Arguments& arguments) {
         std::fprintf(stderr, "plait: warning: %s\n", warning.c_str());
 
     RunJob job(run, options);
-    const RunFolder folder(arguments.value("out", "out/" + run.entry->name), settingsOf(run),
-                           {.resume = arguments.has("resume"), .replace = arguments.has("force")});
-    job.execute(folder);
+    const std::filesystem::path out = arguments.value("out", "out/" + run.entry->name);
+    job.execute({out,
+                 settingsOf(run),
+                 {.resume = arguments.has("resume"), .replace = arguments.has("force")}});
     if (!options.quiet)
-        std::printf("%s\n", (folder.path() / (options.pictures ? "clip.mp4" : "run.json")).c_str());
+        std::printf("%s\n", (out / (options.pictures ? "clip.mp4" : "run.json")).c_str());
     return exitOk;
 }
 

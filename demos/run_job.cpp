@@ -7,6 +7,7 @@
 #include "solver_options.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace plait {
 
@@ -14,10 +15,10 @@ RunJob::RunJob(const Run& run, const RunJobOptions& options) : run_(run), option
     timed("build", [&] { simulation_ = makeSimulation(run_, options_.threads); });
 }
 
-void RunJob::execute(const RunFolder& folder) {
-    folder_ = &folder;
+void RunJob::execute(RunFolder folder) {
+    folder_ = std::make_unique<RunFolder>(std::move(folder));
     if (options_.pictures)
-        timed("open", [&] { pictures_.emplace(run_, folder, *options_.pictures); });
+        timed("open", [&] { pictures_.emplace(run_, *folder_, *options_.pictures); });
     try {
         begin();
         simulate();
@@ -29,7 +30,7 @@ void RunJob::execute(const RunFolder& folder) {
         throw;
     }
     for (const std::string& format : options_.exports)
-        timed("export", [&] { exportRun(folder, run_, run_.frames(), format); });
+        timed("export", [&] { exportRun(*folder_, run_, run_.frames(), format); });
     leave("complete");
 }
 

@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,8 +30,8 @@ public:
     RunJob(const Run& run, const RunJobOptions& options);
 
     // Once. Throws what errors.h says, Diverged as well; what it leaves then is whole, and goes on
-    // with another job of the same folder, which must live as long.
-    void execute(const RunFolder& folder);
+    // with another job of the same folder once this one is gone: its threads may still write there.
+    void execute(RunFolder folder);
     // What the stages took so far, those of the pictures too.
     Stages stages() const;
 
@@ -46,7 +47,7 @@ private:
     void timed(const std::string& stage, const std::function<void()>& body);
 
     const Run& run_;
-    const RunFolder* folder_ = nullptr;
+    std::unique_ptr<const RunFolder> folder_;  // outlives the pictures
     RunJobOptions options_;
     Clock::time_point start_ = Clock::now();
     std::unique_ptr<Simulation> simulation_;

@@ -20,10 +20,7 @@ namespace {
 void eachTable(const std::function<void(const std::string&, const std::vector<CcdQuery>&)>& body) {
     const auto folder = ccdFolder(std::filesystem::path(PLAIT_ROOT) / "../shared/ccd");
     const auto names = ccdTables(folder);
-    if (names.size() < 4) {
-        WARN("skipped: no query sets in " << folder);
-        return;
-    }
+    if (names.size() < 4) SKIP("no query sets in " << folder);
     for (const std::string& name : names)
         body(name, readCcdQueries(folder / "open" / (name + ".csv.gz")));
 }

@@ -54,11 +54,10 @@ Film film(const Run& run, int frames, int threads) {
     const auto start = Clock::now();
     Run part = run;
     part.scene.seconds = frames / run.frameRate();
-    const RunFolder folder(scratch.path, settingsOf(part), {});
     RunJobOptions options{.threads = threads, .quiet = true, .pictures = {}, .exports = {}};
     options.pictures = requestedPictures({}, part);
     RunJob job(part, options);
-    job.execute(folder);
+    job.execute({scratch.path, settingsOf(part), {}});
     return {since(start), job.stages()};
 }
 
