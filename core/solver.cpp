@@ -27,9 +27,8 @@ void Solver<Real>::substep(double frameFraction) {
         sweepColumns();  // x <- x + W J^T dlambda, set by set
         smooth();
     }
-    updateVelocities(second);  // v <- (x - x1) / h, or (3 x - 4 x1 + x2) / 2 h
+    update(second);  // v <- (x - x1) / h, or (3 x - 4 x1 + x2) / 2 h
     dampRates();
-    fold();  // X <- X + d, and what rounding leaves stays in d
     state_.hasPast = true;
     ++state_.substep;
 }
@@ -142,11 +141,11 @@ void Solver<Real>::frame() {
     const auto putBack = [&] {
         state_ = checkpoint_;
         evaluations_ = evaluations;
-        broken_ = blaming_ = false;
+        blaming_ = false;
     };
     try {
         advance();
-        if (!broken_) return;
+        if (finite()) return;  // what is not a number stays none
         // The run is deterministic, so the frame is taken again to see what breaks it.
         putBack();
         blaming_ = true;
@@ -174,10 +173,15 @@ void Solver<Real>::advance() {
 }
 
 template <class Real>
-void Solver<Real>::blame(const std::string& culprit) const {
+bool Solver<Real>::finite() const {
     for (std::size_t i = 0; i < state_.particles.size(); ++i)
-        if (!isFinite(state_.particles[i].d) || !isFinite(state_.velocity[i].v))
-            throw Diverged(culprit, state_.substep);
+        if (!isFinite(state_.particles[i].d) || !isFinite(state_.velocity[i].v)) return false;
+    return true;
+}
+
+template <class Real>
+void Solver<Real>::blame(const std::string& culprit) const {
+    if (!finite()) throw Diverged(culprit, state_.substep);
 }
 
 template <class Real>

@@ -11,7 +11,6 @@
 #include "workers.h"
 #include "world.h"
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -71,10 +70,10 @@ private:
     void takeWhole();
     void evaluate(std::span<const int> sets, Direction direction);
     void smooth();
-    void updateVelocities(bool second);
+    void update(bool second);
     void dampRates();
-    void fold();
     Sweep<Real> sweepOf(int set);
+    bool finite() const;
     void blame(const std::string& culprit) const;
 
     // Pinned vertices that move, and where they are at both ends of the frame.
@@ -102,8 +101,7 @@ private:
     double h_;        // s, substep
     double implied_;  // s, the step that forces and compliance see: h, or 2 h / 3 under BDF2
     long evaluations_ = 0;
-    std::atomic<bool> broken_{false};  // a number is not finite
-    bool blaming_ = false;             // the frame runs again to find out which set broke it
+    bool blaming_ = false;  // the frame runs again to find out which set broke it
 };
 
 extern template class Solver<float>;

@@ -188,11 +188,12 @@ void Solver<Real>::movePins(double f) {
     if (blaming_) blame("the motion of a pin");
 }
 
+// Velocities and, with them, positions: X <- X + d, and what rounding leaves stays in d.
 // Under BDF2 a vertex that was pushed and would accelerate beyond the limit takes the first-order
 // velocity, and a past that continues it, so that no bounce is extrapolated (V) [IN20]. The
 // past is damped as well: BDF2 would extrapolate the loss, and lose half as much again.
 template <class Real>
-void Solver<Real>::updateVelocities(bool second) {
+void Solver<Real>::update(bool second) {
     const bool given = whole_ && whole_->setsVelocities();
     const bool bdf2 = options_.integrator == Integrator::bdf2;
     const bool fallsBack = second && std::isfinite(options_.maxAcceleration);
@@ -205,8 +206,8 @@ void Solver<Real>::updateVelocities(bool second) {
     const Real lost = static_cast<Real>(1 - power(1 - options_.damping, 24 * h_));
     workers_.forBlocks(state_.count(), grain, [&](int begin, int end) {
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-            const Four<Real> before = four(state_.before[i].v);
-            const Four<Real> step = four(state_.particles[i].d) - before;
+            Particle<Real>& p = state_.particles[i];
+            const Four<Real> before = four(state_.before[i].v), d = four(p.d), step = d - before;
             Four<Real> old = four(state_.lastVelocity[i].v), past = old;
             Four<Real> v = given ? four(state_.velocity[i].v) : step / h;
             if (second) {
@@ -221,31 +222,17 @@ void Solver<Real>::updateVelocities(bool second) {
                 const Real l = lengthOf<Real>(v - old);
                 if (l > most) v = old + (most / l) * (v - old);
             }
-            put(state_.velocity[i].v, v - lost * v);
+            v = v - lost * v;
+            put(state_.velocity[i].v, v);
             if (bdf2) put(state_.lastVelocity[i].v, past - lost * past);
-        }
-    });
-    if (blaming_) blame("the velocity update");
-}
-
-template <class Real>
-void Solver<Real>::fold() {
-    workers_.forBlocks(state_.count(), grain, [&](int begin, int end) {
-        Four<Real> test{};
-        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-            Particle<Real>& p = state_.particles[i];
-            const Four<Real> d = four(p.d);
             Four<Real> left;
             const Four<Real> x = twoSum(four(p.x), d, left);  // the fourth is w + 0
             put(p.x, x);
             put(p.d, left);
-            put(state_.last[i].v, four(state_.before[i].v) + (left - d));
-            test += Real(0) * (x + four(state_.velocity[i].v));  // 0, or NaN for ever
+            put(state_.last[i].v, before + (left - d));
         }
-        if (!(test[0] + test[1] + test[2] == Real(0)))
-            broken_.store(true, std::memory_order_relaxed);
     });
-    if (blaming_) blame("the position update");
+    if (blaming_) blame("the update");
 }
 
 template <class Real>

@@ -138,7 +138,7 @@ TEST_CASE("failures: a run that leaves the range of its numbers names the step",
         return failureOf<float>(world, {.schedule = {.substeps = 1}, .timeScale = timeScale});
     };
     checkFailure(fast(0, 3e38, 48), "the prediction", 0);
-    checkFailure(fast(3e38, 3e38, 12), "the position update", 0);
+    checkFailure(fast(3e38, 3e38, 12), "the update", 0);
     checkFailure(fast(1, 1, 1), "nothing", -1);
 }
 
