@@ -1,4 +1,5 @@
 #include "forces/air_kernels.h"
+#include "fronts/front_kernels.h"
 #include "kernels.h"
 #include "strand_kernels.h"
 
@@ -18,6 +19,7 @@ ByLanes<AirTable<float>> floatAir_v2, floatAir_v3, floatAir_v4;
 Single<AirTable<double>> doubleAir_v2, doubleAir_v3, doubleAir_v4;
 ByLanes<StrandTable<float>> floatStrands_v2, floatStrands_v3, floatStrands_v4;
 Single<StrandTable<double>> doubleStrands_v2, doubleStrands_v3, doubleStrands_v4;
+Single<FrontTable> fronts_v2, fronts_v3, fronts_v4;
 
 namespace {
 
@@ -84,6 +86,10 @@ const StrandTable<float>& strandKernels<float>(KernelChoice choice) {
 template <>
 const StrandTable<double>& strandKernels<double>(KernelChoice choice) {
     return *chosen(choice, doubleStrands_v2, doubleStrands_v3, doubleStrands_v4)();
+}
+
+const FrontTable& frontKernels(KernelChoice choice) {
+    return *chosen(choice, fronts_v2, fronts_v3, fronts_v4)();
 }
 
 }  // namespace plait

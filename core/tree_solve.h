@@ -8,27 +8,11 @@
 // from the A of its parent: a rank-one update. The pivots are those of L D L^T in this order.
 #pragma once
 
-#include "math.h"
+#include "symmetric.h"
 
 #include <vector>
 
 namespace plait {
-
-template <class T>
-struct Symmetric {
-    T xx, xy, xz, yy, yz, zz;
-
-    Vec<T> operator*(const Vec<T>& a) const {
-        return {xx * a.x + xy * a.y + xz * a.z, xy * a.x + yy * a.y + yz * a.z,
-                xz * a.x + yz * a.y + zz * a.z};
-    }
-    // Minus s u u^T.
-    void lessen(T s, const Vec<T>& u) {
-        const Vec<T> t = s * u;
-        xx = xx - t.x * u.x, xy = xy - t.x * u.y, xz = xz - t.x * u.z;
-        yy = yy - t.y * u.y, yz = yz - t.y * u.z, zz = zz - t.z * u.z;
-    }
-};
 
 // A vertex of the tree and the constraint between it and its parent.
 template <class T>

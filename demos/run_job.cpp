@@ -51,7 +51,8 @@ void RunJob::begin() {
 
 void RunJob::simulate() {
     const int frames = run_.frames();
-    Progress progress(run_.entry->name, pictures_ ? 0 : resumedAt_, frames, options_.quiet);
+    Progress progress(run_.entry->name, pictures_ ? pictures_->done() : resumedAt_, frames,
+                      options_.quiet);
     for (int i = resumedAt_ + 1; i <= frames; ++i) {
         stopIfInterrupted();
         timed("simulate", [&] { simulation_->advance(); });

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "block_system.h"
 #include "catch.h"
 #include "core/collision/hash_grid.h"
 #include "core/collision/kdop_tree.h"
@@ -13,6 +14,7 @@
 #include "soup.h"
 
 using namespace plait;
+using namespace plait::test;
 
 namespace {
 
@@ -102,6 +104,22 @@ TEST_CASE("broad phase: a substep like the last one allocates nothing", "[broadp
         substep();
         counting = false;
         INFO(threads << " threads");
+        CHECK(allocations == 0);
+    }
+}
+
+TEST_CASE("allocations: none in a second factorisation", "[determinism]") {
+    const System system = sheet(40, 40).fill(1, 1);
+    Multifrontal factors(system.rest, system.edges, system.pinned);
+    for (const int threads : {1, 3}) {
+        Workers workers(threads);
+        Vectors x = system.b;
+        factors.factor(system.vertexBlocks, system.edgeBlocks, workers);
+        allocations = 0;
+        counting = true;
+        factors.factorAndSolve(system.vertexBlocks, system.edgeBlocks, x, workers);
+        factors.solve(x, workers);
+        counting = false;
         CHECK(allocations == 0);
     }
 }

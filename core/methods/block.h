@@ -25,7 +25,7 @@
 #pragma once
 
 #include "../constraints/constants.h"
-#include "symmetric.h"
+#include "vertex_block.h"
 #include "vertex_colors.h"
 #include "whole_step.h"
 
@@ -150,7 +150,7 @@ private:
         const Vec<Real>& g = terms_.gradient[terms_.arity * n + a];
         force_[v] -= f.size * g;
         hessian_[v].addOuter(f.stiffness, g);
-        const Symmetric<Real> c = Symmetric<Real>::of(terms_, n, a);
+        const Symmetric<Real> c = vertexBlock(terms_, n, a);
         const Real size = absolute(f.size);
         hessian_[v].xx += size * length(Vec<Real>{c.xx, c.xy, c.xz});
         hessian_[v].yy += size * length(Vec<Real>{c.xy, c.yy, c.yz});

@@ -17,7 +17,7 @@
 #pragma once
 
 #include "springs.h"
-#include "symmetric.h"
+#include "vertex_block.h"
 
 #include <type_traits>
 
@@ -121,7 +121,7 @@ private:
                 for (int a = 0; a < t.arity; ++a) {
                     Symmetric<Real>& d = diagonal_[t.ids[t.arity * n + a]];
                     d.addOuter(k, t.gradient[t.arity * n + a]);
-                    if (bends(t, n)) d.add(k * t.value[n], Symmetric<Real>::of(t, n, a));
+                    if (bends(t, n)) d.add(k * t.value[n], vertexBlock(t, n, a));
                 }
             }
     }
