@@ -1,6 +1,6 @@
 // A listener that prints each test's name above its figures and, in the file named by
-// PLAIT_TEST_LOG, a line as it starts and as it ends: a crash leaves the start alone. A test
-// that lacks something ends with SKIP.
+// PLAIT_TEST_LOG, a line as it starts and as it ends: a crash leaves the start alone. Where a
+// machine lacks something, a test says WARN("skipped: why") (Catch2 3: SKIP).
 #define CATCH_CONFIG_EXTERNAL_INTERFACES
 #include "catch.h"
 

@@ -1,6 +1,6 @@
 // Collision queries against the answers of published query sets (PLAIT_CCD_DATA; skipped without).
-#include "bench/ccd_data.h"
 #include "catch.h"
+#include "ccd_folder.h"
 #include "errors.h"
 #include "program.h"
 #include "report.h"
@@ -18,11 +18,9 @@ namespace {
 
 // Calls back with each table's name and rows.
 void eachTable(const std::function<void(const std::string&, const std::vector<CcdQuery>&)>& body) {
-    const auto folder = ccdFolder(std::filesystem::path(PLAIT_ROOT) / "../shared/ccd");
-    const auto names = ccdTables(folder);
-    if (names.size() < 4) SKIP("no query sets in " << folder);
-    for (const std::string& name : names)
-        body(name, readCcdQueries(folder / "open" / (name + ".csv.gz")));
+    if (!test::haveCcdData()) return;
+    for (const std::string& name : ccdTables(test::ccdData()))
+        body(name, readCcdQueries(test::ccdData() / "open" / (name + ".csv.gz")));
 }
 
 // The same query with ends, corners and edges in other orders, each followed by its reverse in

@@ -1,6 +1,6 @@
 // Whole frames of cloth and rods, and every pair of theirs that truly collides.
-#include "bench/ccd_data.h"
 #include "catch.h"
+#include "ccd_folder.h"
 #include "core/collision/hash_grid.h"
 #include "core/collision/kdop_tree.h"
 #include "mesh_reader.h"
@@ -135,11 +135,10 @@ void holdGrid(const CcdScene& scene, Workers& workers) {
 
 TEST_CASE("every true pair of real frames is a candidate and told in time [BP1][BP3][CC5]",
           "[broadphase][ccd]") {
-    const auto scenes = ccdFolder(std::filesystem::path(PLAIT_ROOT) / "../shared/ccd") / "scenes";
-    if (!std::filesystem::is_directory(scenes)) SKIP("no " << scenes);
+    if (!test::haveCcdData()) return;
     Workers workers(2);
     for (const char* name : {"cloth-funnel", "rod-twist"}) {
-        const CcdScene scene(scenes / name);
+        const CcdScene scene(test::ccdData() / "scenes" / name);
         test::note(std::string(name) + ", true pairs",
                    static_cast<double>(scene.edgeEdge.size() + scene.pointTriangle.size()));
         CHECK(test::report("  missed by queries", scene.missed, 0));
