@@ -61,6 +61,15 @@ Multifrontal::Multifrontal(std::span<const Vec<double>> rest, std::span<const in
       rows_(fronts_.rows / stripRows + 1),
       least_(fronts_.rows / stripRows + 1) {}
 
+double Multifrontal::multiplications() const {
+    double sum = 0;
+    for (const Front& front : fronts_.fronts) {
+        const double p = stripRows * front.pivotStrips, b = stripRows * front.boundaryStrips;
+        sum += p * p * p / 6 + p * p * b / 2 + p * b * b / 2 + p * p + 2 * p * b;
+    }
+    return sum;
+}
+
 FrontView Multifrontal::viewOf(const Front& front, Columns& memory) {
     Columns& schur = front.ownMemory ? own_ : memory;
     return {panels_.data()->number + front.panel * stripRows,

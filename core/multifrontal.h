@@ -52,6 +52,8 @@ public:
 
     // Numbers in the factor, with those that pad it.
     long size() const { return fronts_.panelColumns * stripRows; }
+    // Multiplications of a factorisation and one solution, likewise.
+    double multiplications() const;
 
 private:
     struct alignas(64) Column {

@@ -195,7 +195,8 @@ void Solver<Real>::restore(const State<Real>& state, long evaluations) {
     for (const auto* array :
          {&state.velocity, &state.before, &state.last, &state.lastVelocity, &state.air})
         if (array->size() != state_.velocity.size() ||
-            state.particles.size() != state_.particles.size())
+            state.particles.size() != state_.particles.size() ||
+            state.tension.size() != state_.tension.size())
             throw std::invalid_argument("a state of another world cannot be restored");
     state_ = state;
     evaluations_ = evaluations;
@@ -216,6 +217,9 @@ std::uint64_t Solver<Real>::hash() const {
         hash = hashOf(std::span<const Padded<Real>>(state_.last), hash);
         hash = hashOf(std::span<const Padded<Real>>(state_.lastVelocity), hash);
     }
+    for (const Real tension : state_.tension)
+        if (!std::isfinite(tension)) throw std::logic_error("hash of a state not finite");
+    if (!state_.tension.empty()) hash = hashOf(std::span<const Real>(state_.tension), hash);
     // How the sheet stood in the last substep decides what its air takes in the next.
     if (state_.hasAir) hash = hashOf(std::span<const Padded<Real>>(state_.air), hash);
     return hash;

@@ -11,7 +11,17 @@
 namespace plait {
 
 // One file each in methods/, which says what it is and where it fails.
-enum class Method { xpbd, nucleus, explicitEuler, symplectic, implicit, linearised, block, newton };
+enum class Method {
+    xpbd,
+    nucleus,
+    explicitEuler,
+    symplectic,
+    implicit,
+    linearised,
+    block,
+    global,
+    newton
+};
 
 // The velocity rule: v = (x - x1) / h, or BDF2, v = (3 x - 4 x1 + x2) / 2 h with its own predictor
 // (Vellum's second order, V; validation A1). BDF2 wants a converged solve. Midpoint is newton's.

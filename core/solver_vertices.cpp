@@ -200,6 +200,7 @@ void Solver<Real>::update(bool second) {
     if (fallsBack) {
         std::fill(touched_.begin(), touched_.end(), std::uint8_t{0});
         for (const auto& set : sets_) set->markTouched(touched_);
+        if (whole_) whole_->markTouched(touched_);
     }
     const Real h = static_cast<Real>(h_);
     const Real most = static_cast<Real>(options_.maxAcceleration * h_);

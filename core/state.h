@@ -38,6 +38,7 @@ struct State {
     std::vector<Padded<Real>> lastVelocity;  // velocity when the substep began
     std::vector<Padded<Real>> air;  // q of the inverse inertia w I - q q^T of the last substep,
                                     // kg^(-1/2): added mass
+    std::vector<Real> tension;      // N, by link, then contact, as the method numbers them (global)
     bool hasAir = false;            // false: every q is 0
     bool hasPast = false;           // last and lastVelocity hold the substep before this one
     long substep = 0;               // since the start of the run

@@ -106,21 +106,22 @@ std::vector<int> pointStencils(Range range) {
     return ids;
 }
 
-Rows<Tether> tetherRows(const SimplicialComplex& complex, Range range,
-                        std::span<const Vec<double>> rest, std::span<const int> anchors) {
+Tethers tethersOf(const SimplicialComplex& complex, Range range, std::span<const Vec<double>> rest,
+                  std::span<const int> anchors) {
     const Geodesics ways(complex, range, rest);
-    Rows<Tether> set;
+    Tethers tethers;
     for (const std::vector<int>& group : groupsOf(complex, anchors)) {
         const std::vector<Geodesics::Way> from = ways.from(group);
         for (int v = range.first; v < range.last; ++v) {
             const auto& [length, anchor] = from[static_cast<std::size_t>(v)];
             if (anchor < 0 || std::find(anchors.begin(), anchors.end(), v) != anchors.end())
                 continue;
-            set.ids.push_back(v);
-            set.rows.push_back({rest[static_cast<std::size_t>(anchor)], length});
+            tethers.set.ids.push_back(v);
+            tethers.set.rows.push_back({rest[static_cast<std::size_t>(anchor)], length});
+            tethers.anchors.push_back(anchor);
         }
     }
-    return set;
+    return tethers;
 }
 
 Rows<Bend> bendRows(const SimplicialComplex& complex, Range range,

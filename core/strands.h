@@ -15,8 +15,8 @@ struct Strand {
     int color = 0;              // strands of a colour share no vertex
 };
 
-// Every link (two vertices each) in one strand. At each vertex a link goes on in the one most
-// nearly opposite to it, by the positions `rest`, if they are within 60 degrees of straight.
+// Every link (two vertices each) in one strand. At each vertex links go on in one another in pairs
+// within 60 degrees of straight by the positions `rest`, as many and as straight as can be.
 std::vector<Strand> strandsOf(std::span<const int> links, std::span<const Vec<double>> rest);
 
 }  // namespace plait

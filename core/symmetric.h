@@ -26,14 +26,8 @@ struct Symmetric {
     }
     // += s u u^T
     void addOuter(T s, const Vec<T>& u) {
-        xx += s * u.x * u.x, xy += s * u.x * u.y, xz += s * u.x * u.z;
-        yy += s * u.y * u.y, yz += s * u.y * u.z, zz += s * u.z * u.z;
-    }
-    // -= s u u^T
-    void lessen(T s, const Vec<T>& u) {
-        const Vec<T> t = s * u;
-        xx = xx - t.x * u.x, xy = xy - t.x * u.y, xz = xz - t.x * u.z;
-        yy = yy - t.y * u.y, yz = yz - t.y * u.z, zz = zz - t.z * u.z;
+        xx = xx + s * u.x * u.x, xy = xy + s * u.x * u.y, xz = xz + s * u.x * u.z;
+        yy = yy + s * u.y * u.y, yz = yz + s * u.y * u.z, zz = zz + s * u.z * u.z;
     }
 
     // Of this x = b, by L D L^T; a direction without stiffness, pivot 0, stays where it is.

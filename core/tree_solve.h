@@ -53,7 +53,7 @@ void solveTree(std::vector<TreeNode<T>>& nodes, int begin, int end) {
         TreeNode<T>& n = nodes[k];
         const Vec<T>& q = n.q;
         n.mobility = {n.w, T(0), T(0), n.w, T(0), n.w};
-        n.mobility.lessen(T(1), q);
+        n.mobility.addOuter(T(-1), q);
         n.drift = n.impulse = zero;
     }
     for (int k = begin; k < end - 1; ++k) {
@@ -64,7 +64,7 @@ void solveTree(std::vector<TreeNode<T>>& nodes, int begin, int end) {
         const bool informs = pivot > T(redundant) * (n.weight + n.a);
         n.inversePivot = informs ? divide(T(1), pivot) : T(0);
         n.residual = n.c + n.a * n.lambda + dot(n.own, n.drift) + dot(n.up, parent.drift);
-        parent.mobility.lessen(n.inversePivot, n.reach);
+        parent.mobility.addOuter(-n.inversePivot, n.reach);
         parent.drift -= (n.inversePivot * n.residual) * n.reach;
     }
     // Here the parent's impulse holds those of all constraints that were eliminated later.

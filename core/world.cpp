@@ -77,13 +77,13 @@ std::vector<int> World::select(Range range,
     return chosen;
 }
 
-void World::strand(const Rows<Stretch>& set, SetOptions options) {
-    const auto make = [set, name = options.name]<class Real>(
+void World::strand(const Rows<Stretch>& set, SetOptions options, bool again) {
+    const auto make = [set, again, name = options.name]<class Real>(
                           const World& world,
                           KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
         checkStencils(name, set.ids, 2, set.rows.size(), set.colors, world.start.size());
         checkNumbers(name, numbersOf(set));
-        return std::make_unique<StrandSet<Real>>(set, world.rest, kernels);
+        return std::make_unique<StrandSet<Real>>(set, world.rest, kernels, again);
     };
     constrain(recipeOf<Constraint>(make), std::move(options));
 }

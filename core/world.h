@@ -101,8 +101,9 @@ struct World {
     // A set of the user's own; `make` is called once for each solver.
     void constrain(Recipe<Constraint> recipe, SetOptions options, bool contact = false);
 
-    // These links strung to strands, each solved at once, in lanes (strand_set.h).
-    void strand(const Rows<Stretch>& set, SetOptions options);
+    // These links strung to strands, each solved at once, in lanes (strand_set.h). `again`: another
+    // set holds them too, and methods that do not sweep ask only that one.
+    void strand(const Rows<Stretch>& set, SetOptions options, bool again = false);
     // Coarse levels of these links (aggregate_set.h), down to `fewest` aggregates that move. Links
     // count as rigid, whatever their compliance.
     void aggregate(const Rows<Stretch>& set, SetOptions options, int fewest = 16);

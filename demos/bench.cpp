@@ -3,6 +3,7 @@
 #include "bench/ccd.h"
 #include "bench/core.h"
 #include "bench/scene.h"
+#include "bench/sheet.h"
 #include "commands.h"
 #include "errors.h"
 #include "run_options.h"
@@ -13,7 +14,7 @@ namespace {
 
 int bench(const Arguments& arguments) {
     const std::string what = arguments.operands.empty() ? "core" : arguments.operands[0];
-    std::vector<std::string> names{"core", "air", "ccd", "broadphase"};
+    std::vector<std::string> names{"core", "air", "ccd", "broadphase", "sheet"};
     for (const SceneEntry& entry : scenes()) names.push_back(entry.name);
     switch (parseChoice("bench", what, names)) {
         case 0:
@@ -24,6 +25,8 @@ int bench(const Arguments& arguments) {
             return benchCcd();
         case 3:
             return benchBroadPhase();
+        case 4:
+            return benchSheet(requestedThreads(arguments));
         default:
             return benchScene(what, requestedThreads(arguments));
     }
@@ -33,10 +36,10 @@ int bench(const Arguments& arguments) {
 
 Command benchCommand() {
     return {.name = "bench",
-            .operands = {"[core|air|ccd|broadphase|SCENE]"},
+            .operands = {"[core|air|ccd|broadphase|sheet|SCENE]"},
             .meaning =
                 "prints speeds: of a constraint, of the air, of collision queries, of the broad "
-                "phase, or of a scene from numbers to film",
+                "phase, of sheets that do not stretch, or of a scene from numbers to film",
             .options = {threadsOption()},
             .examples = {"bench core", "bench hanging-sheet"},
             .run = bench};

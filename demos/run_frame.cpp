@@ -9,7 +9,7 @@
 namespace plait {
 namespace {
 
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 
 class Writer {
 public:
@@ -151,6 +151,8 @@ std::string encodeCheckpoint(const Checkpoint<Real>& checkpoint) {
     writer.put(static_cast<std::int32_t>(state.hasAir));
     writer.put(static_cast<std::int32_t>(state.hasPast));
     forArrays(state, [&](const auto& array) { writer.put(array); });
+    writer.put(static_cast<std::int64_t>(state.tension.size()));
+    writer.put(state.tension);
     return writer.finish();
 }
 
@@ -167,6 +169,7 @@ Checkpoint<Real> decodeCheckpoint(const std::string& bytes, const std::string& n
     state.hasAir = reader.get<std::int32_t>() != 0;
     state.hasPast = reader.get<std::int32_t>() != 0;
     forArrays(state, [&]<class T>(std::vector<T>& array) { array = reader.get<T>(count); });
+    state.tension = reader.get<Real>(reader.get<std::int64_t>());
     return checkpoint;
 }
 

@@ -65,10 +65,11 @@ void setFrameRate(Run& run, const std::string& word) {
 
 // Methods of springs have integrators of their own, which take the place of the scene's.
 Setting methodSetting() {
-    Setting setting = choice(
-        "method",
-        {"xpbd", "nucleus", "explicit", "symplectic", "implicit", "linearised", "block", "newton"},
-        "how constraints are solved", [](auto& run) -> auto& { return run.scene.options.method; });
+    Setting setting = choice("method",
+                             {"xpbd", "nucleus", "explicit", "symplectic", "implicit", "linearised",
+                              "block", "global", "newton"},
+                             "how constraints are solved",
+                             [](auto& run) -> auto& { return run.scene.options.method; });
     setting.set = [set = setting.set](Run& run, const std::string& word) {
         set(run, word);
         SolverOptions& options = run.scene.options;

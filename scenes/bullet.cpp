@@ -172,7 +172,7 @@ Scene bullet(const Knobs& knobs) {
     world.act<Gravity>(GravityOptions{});
     const Rows<Stretch> links = restRows<Stretch>(edgeStencils(world.complex, sheet), world.rest);
     world.constrain(links, {.name = "stretch"});
-    world.constrain(tetherRows(world.complex, sheet, world.rest, pins),
+    world.constrain(tethersOf(world.complex, sheet, world.rest, pins).set,
                     {.name = "tethers", .order = 1});
     world.aggregate(links, {.name = "aggregates", .order = 2});
     const Meeting meeting{ball.first, triangleStencils(world.complex, sheet), radius,

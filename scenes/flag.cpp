@@ -3,6 +3,7 @@
 #include "elementary.h"
 #include "forces/air.h"
 #include "forces/gravity.h"
+#include "inextensible.h"
 #include "measures.h"
 #include "mesh_file.h"
 #include "stencils.h"
@@ -115,13 +116,9 @@ std::vector<int> weave(World& world, Range cloth, int columns) {
 }
 
 // A cloth of the user's own: nobody knows its threads, so every edge is one.
-std::vector<int> hold(World& world, Range cloth, const std::vector<int>& hoist) {
-    const Rows<Stretch> edges = restRows<Stretch>(edgeStencils(world.complex, cloth), world.rest);
-    world.constrain(edges, {.name = "stretch"});
-    world.constrain(tetherRows(world.complex, cloth, world.rest, hoist),
-                    {.name = "tethers", .order = 2});
-    world.aggregate(edges, {.name = "aggregates", .order = 3});
-    return edges.ids;
+std::vector<int> hold(World& world, Range cloth) {
+    holdSheet(world, cloth);
+    return edgeStencils(world.complex, cloth);
 }
 
 struct Box {
@@ -214,7 +211,7 @@ Scene flag(const Knobs& knobs) {
                    .addedMass = addedMass,
                    .interval = airInterval,
                    .wind = windOf(knobs)});
-    const std::vector<int> threads = own ? weave(world, cloth, columns) : hold(world, cloth, hoist);
+    const std::vector<int> threads = own ? weave(world, cloth, columns) : hold(world, cloth);
 
     // Half the strain of first order, and its energy falls as steadily (tests/test_flag.cpp).
     scene.options.integrator = Integrator::bdf2;

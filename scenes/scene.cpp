@@ -92,9 +92,11 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                     .choices = {"corners", "edge"},
                     .text = "corners"},
                    {.name = "solve",
-                    .meaning = "its links alone, or with tethers and coarse levels as well",
-                    .choices = {"sweeps", "aggregates"},
-                    .text = "sweeps"},
+                    .meaning =
+                        "its links alone; with tethers and their strands, solved whole; with "
+                        "tethers and coarse levels; or with all three",
+                    .choices = {"sweeps", "strands", "aggregates", "all"},
+                    .text = "strands"},
                    {.name = "size",
                     .meaning = "vertices along a side; 0: 16, 32 or 64 by quality",
                     .value = 0,

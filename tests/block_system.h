@@ -43,7 +43,7 @@ struct System {
             const Vec<float> d{number(-1, 1), number(-1, 1), number(-1, 1)};
             const float g = number(softest, 2 * softest), k = number(0.5, 1.5) / dot(d, d);
             Symmetric<float> h{g, 0, 0, g, 0, g};
-            h.lessen(-k, d);
+            h.addOuter(k, d);
             edgeBlocks.push_back(h);
         }
         return *this;

@@ -126,7 +126,7 @@ Outcome hang(const Hanging& of) {
     const Rows<Stretch> links = sheetLinks(world, of.n, of.n);
     world.constrain(links, {.name = "links"});
     if (of.tethers)
-        world.constrain(tetherRows(world.complex, all, world.rest, std::vector{0, of.n - 1}),
+        world.constrain(tethersOf(world.complex, all, world.rest, std::vector{0, of.n - 1}).set,
                         {.name = "tethers"});
     if (of.coarse) world.aggregate(links, {.name = "aggregates"});
     SolverOptions options;
@@ -376,7 +376,7 @@ TEMPLATE_TEST_CASE("tethers hold at the shortest way and are slack within it", "
     const Range all = world.add(grid({.columns = 7, .rows = 6}));
     world.add(chain({.links = 2, .from = {5, 0, 0}, .to = {6, 0, 0}}));
     const std::vector<int> hoist{0, 7, 14};
-    const Rows<Tether> rows = tetherRows(world.complex, all, world.rest, hoist);
+    const Rows<Tether> rows = tethersOf(world.complex, all, world.rest, hoist).set;
     REQUIRE(rows.size() == all.size() - 3);  // and none on the chain, where no way leads
     for (const double scale : {0.9, 1.3}) {
         State<TestType> state = stateOf<TestType>(world);
@@ -412,9 +412,9 @@ TEST_CASE("tethers: anchors apart each hold every vertex", "[aggregates]") {
     World world;
     const Range all = world.add(grid({.columns = 7, .rows = 6}));
     const std::vector<int> anchors{20, 0, 1, 13};  // 13 and 20 are neighbours, 0 and 1 too
-    const Rows<Tether> rows = tetherRows(world.complex, all, world.rest, anchors);
+    const Rows<Tether> rows = tethersOf(world.complex, all, world.rest, anchors).set;
     CHECK(rows.size() == 2 * (all.size() - 4));
     const int outside = all.size();
-    CHECK_THROWS_AS(tetherRows(world.complex, all, world.rest, std::span(&outside, 1)),
+    CHECK_THROWS_AS(tethersOf(world.complex, all, world.rest, std::span(&outside, 1)),
                     std::invalid_argument);
 }

@@ -1,6 +1,7 @@
 // Strands: how links are strung, and their solve in lanes against dense algebra and DirectSet.
 #include "air_run.h"
 #include "catch.h"
+#include "elementary.h"
 #include "measure/energy.h"
 #include "measure/momentum.h"
 #include "report.h"
@@ -190,6 +191,54 @@ TEST_CASE("strands: a ring is cut", "[strands]") {
     REQUIRE(strands.size() == 2);
     CHECK(strands[0].links.size() == n - 1);
     CHECK(strands[1].color != strands[0].color);
+}
+
+// Links from one vertex in random directions: of all ways to pair them, the best by brute force.
+double bestOf(const Points& directions, std::vector<bool>& taken, std::size_t from = 0) {
+    while (from < taken.size() && taken[from]) ++from;
+    if (from == taken.size()) return 0;
+    taken[from] = true;
+    double best = bestOf(directions, taken, from);
+    for (std::size_t i = from + 1; i < taken.size(); ++i) {
+        const double cosine = dot(directions[from], directions[i]);
+        if (taken[i] || cosine > -0.5) continue;
+        taken[i] = true;
+        best = std::max(best, 1 - cosine + bestOf(directions, taken, from));
+        taken[i] = false;
+    }
+    taken[from] = false;
+    return best;
+}
+
+TEST_CASE("strands: as many and as straight as can be go through a vertex", "[strands]") {
+    Random random(12);
+    for (int trial = 0; trial < 200; ++trial) {
+        Points rest{{0, 0, 0}};
+        std::vector<int> links;
+        const int count = 2 + random.below(8);
+        for (int i = 1; i <= count; ++i) {
+            Vec<double> x = random.point(1);
+            x.z *= 0.2;
+            rest.push_back((1 / length(x)) * x);
+            links.insert(links.end(), {0, i});
+        }
+        double sum = 0;
+        for (const Strand& strand : strandsOf(links, rest))
+            if (strand.links.size() == 2)
+                sum += 1 - dot(rest[strand.vertices.front()], rest[strand.vertices.back()]);
+        const Points directions(rest.begin() + 1, rest.end());
+        std::vector<bool> taken(directions.size(), false);
+        REQUIRE(sum == Approx(bestOf(directions, taken)).epsilon(1e-12));
+    }
+    // A fan of many: still every link in one strand.
+    Points rest{{0, 0, 0}};
+    std::vector<int> links;
+    for (int i = 1; i <= 40; ++i) {
+        rest.push_back({cosine(0.157 * i), sine(0.157 * i), 0});
+        links.insert(links.end(), {0, i});
+    }
+    checkStrands("fan", links, rest);
+    CHECK(strandsOf(links, rest).size() == 20);
 }
 
 TEST_CASE("strands: a corner of more than 60 degrees ends one", "[strands]") {

@@ -128,9 +128,6 @@ private:
         }
     }
 
-    // A sweep over one: what a factorisation is counted in.
-    static constexpr double multiplicationsOfALink = 30;
-
     bool midpoint_;
     int substeps_;
     long work_ = 0;

@@ -3,6 +3,7 @@
 #include "../constraints/constants.h"
 #include "block.h"
 #include "explicit.h"
+#include "global.h"
 #include "implicit.h"
 #include "linearised.h"
 #include "newton.h"
@@ -31,6 +32,8 @@ Scope scopeOf(Method method) {
             return {.name = "linearised", .rigid = true, .contacts = true, .bdf2 = true};
         case Method::block:
             return {.name = "block", .rigid = true, .contacts = true, .bdf2 = true};
+        case Method::global:
+            return {.name = "global", .rigid = true, .contacts = true, .bdf2 = true};
         case Method::newton:
             return {.name = "newton",
                     .rigid = true,
@@ -64,7 +67,7 @@ void check(const Scope& scope, const NamedSet<Real>& named, const State<Real>& s
 template <class Real>
 std::unique_ptr<WholeStep<Real>> makeWholeStep(const SolverOptions& options,
                                                const std::vector<NamedSet<Real>>& sets,
-                                               const State<Real>& state, bool airHasInertia) {
+                                               State<Real>& state, bool airHasInertia) {
     if (options.integrator == Integrator::midpoint && options.method != Method::newton)
         throw std::invalid_argument("integrator midpoint is for method newton alone");
     if (options.method == Method::xpbd || options.method == Method::nucleus) return nullptr;
@@ -89,6 +92,8 @@ std::unique_ptr<WholeStep<Real>> makeWholeStep(const SolverOptions& options,
         case Method::newton:
             if constexpr (std::is_same_v<Real, double>) return makeNewton(options, sets, state);
             throw std::invalid_argument("method newton runs in double: set precision double");
+        case Method::global:
+            return makeGlobal(options, sets, state);
         default:
             return std::make_unique<Block<Real>>(sets, state);
     }
@@ -96,9 +101,9 @@ std::unique_ptr<WholeStep<Real>> makeWholeStep(const SolverOptions& options,
 
 template std::unique_ptr<WholeStep<float>> makeWholeStep(const SolverOptions&,
                                                          const std::vector<NamedSet<float>>&,
-                                                         const State<float>&, bool);
+                                                         State<float>&, bool);
 template std::unique_ptr<WholeStep<double>> makeWholeStep(const SolverOptions&,
                                                           const std::vector<NamedSet<double>>&,
-                                                          const State<double>&, bool);
+                                                          State<double>&, bool);
 
 }  // namespace plait

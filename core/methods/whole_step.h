@@ -13,6 +13,9 @@
 
 namespace plait {
 
+// What factorisations are counted in: multiplications of a sweep over one link.
+inline constexpr double multiplicationsOfALink = 30;
+
 // What a method sees of a substep.
 template <class Real>
 struct WholeSubstep {
@@ -33,6 +36,8 @@ public:
 
     // Leaves d where the substep ends. Returns the counted work, in constraints evaluated.
     virtual long take(WholeSubstep<Real>& substep) = 0;
+    // Marks the vertices that a contact pushed in this substep, besides those that sets mark.
+    virtual void markTouched(std::vector<std::uint8_t>& /*touched*/) const {}
     // True: it sets velocities as well, in place of (x - x1) / h.
     virtual bool setsVelocities() const { return false; }
 };
@@ -45,12 +50,13 @@ struct NamedSet {
     const Constraint<Real>* set;
 };
 
-// Null for methods that sweep. `state` is where the run starts. Throws std::invalid_argument that
+// Null for methods that sweep. `state` is where the run starts, and is given what the method keeps
+// in it. Throws std::invalid_argument that
 // says what the world has and the method has not: contacts, constraints without compliance, the
 // inertia of air, an integrator.
 template <class Real>
 std::unique_ptr<WholeStep<Real>> makeWholeStep(const SolverOptions& options,
                                                const std::vector<NamedSet<Real>>& sets,
-                                               const State<Real>& state, bool airHasInertia);
+                                               State<Real>& state, bool airHasInertia);
 
 }  // namespace plait

@@ -24,6 +24,7 @@ Study sheetStudy(int n) {
                   {"seconds", "0.5"},
                   {"knob.size", side},
                   {"knob.dent", "0.001"},
+                  {"knob.solve", "sweeps"},
                   {"knob.compliance", n > 32 ? "0.001" : "0.0003"}},
         .size = 1,
         .energyScale = 0.2 * 9.81,
@@ -45,17 +46,21 @@ Study sheetStudy(int n) {
     const Settings oneWay = with(firstOrderFloat, "direction", "one-way");
     // What takes minutes for little: four times the vertices.
     const int last = n > 32 ? 320 : 640, slowest = n > 32 ? 10 : 80;
-    study.curves = {curve("first order, n x 1", firstOrder, doubling(5, last)),
-                    curve("first order, n x 1, one way, float", oneWay, doubling(5, 640)),
-                    curve("first order, n x 4", firstOrder, doubling(5, 80), 4),
-                    curve("BDF2, n x 1", secondOrder, doubling(5, 320)),
-                    curve("BDF2, n x 1, float", secondOrderFloat, doubling(5, 320)),
-                    curve("BDF2, n x 4", secondOrder, doubling(5, last / 4), 4),
-                    curve("explicit", by("explicit"), doubling(20, last)),
-                    curve("symplectic", by("symplectic"), doubling(20, last)),
-                    curve("implicit", by("implicit"), doubling(5, slowest)),
-                    curve("block, n x 4", by("block"), doubling(5, slowest), 4),
-                    curve("newton, BDF2", by("newton", "bdf2"), doubling(5, n > 32 ? 5 : 10))};
+    study.curves = {
+        curve("first order, n x 1", firstOrder, doubling(5, last)),
+        curve("first order, n x 1, one way, float", oneWay, doubling(5, 640)),
+        curve("first order, n x 4", firstOrder, doubling(5, 80), 4),
+        curve("BDF2, n x 1", secondOrder, doubling(5, 320)),
+        curve("BDF2, n x 1, float", secondOrderFloat, doubling(5, 320)),
+        curve("BDF2, n x 4", secondOrder, doubling(5, last / 4), 4),
+        curve("explicit", by("explicit"), doubling(20, last)),
+        curve("symplectic", by("symplectic"), doubling(20, last)),
+        curve("implicit", by("implicit"), doubling(5, slowest)),
+        curve("block, n x 4", by("block"), doubling(5, slowest), 4),
+        curve("global, n x 1", with(by("global"), "knob.solve", "sweeps"), doubling(5, 80)),
+        curve("global, BDF2, n x 1", with(by("global", "bdf2"), "knob.solve", "sweeps"),
+              doubling(5, 80)),
+        curve("newton, BDF2", by("newton", "bdf2"), doubling(5, n > 32 ? 5 : 10))};
     study.curves[1].flaw = gainsEnergy;
     study.omissions = {"rigid links: their motion is chaotic from 0.1 s on",
                        "nucleus: it knows no stiffness, only importance",
@@ -73,17 +78,31 @@ Study sheetStrain(int n) {
         .gravity = down,
         .errors = strainErrors(),
         .measure = measureStrain};
-    const Settings oneWay = with(firstOrderFloat, "direction", "one-way");
-    std::vector<int> steps{5, 10, 20, 50}, thrice{20};
-    if (n <= 128) steps.push_back(100), thrice.push_back(50);
-    const Settings coarse = with(firstOrderFloat, "knob.solve", "aggregates");
-    study.curves = {curve("first order, aggregates, n x 1", coarse, steps),
-                    curve("first order, aggregates, n x 3", coarse, thrice, 3),
-                    curve("first order, n x 1", firstOrderFloat, steps),
-                    curve("first order, n x 1, one way", oneWay, steps),
-                    curve("BDF2, n x 1", secondOrderFloat, steps),
-                    curve("BDF2, n x 4", secondOrderFloat, {5, 10, 20}, 4)};
-    study.curves[3].flaw = gainsEnergy;
+    const auto solved = [](const Settings& settings, const char* how) {
+        return with(settings, "knob.solve", how);
+    };
+    const Settings strands = solved(firstOrderFloat, "strands"),
+                   coarse = solved(firstOrderFloat, "aggregates"),
+                   plain = solved(firstOrderFloat, "sweeps"),
+                   second = solved(secondOrderFloat, "sweeps");
+    const auto globally = [](const char* integrator) {
+        return Settings{{"method", "global"},
+                        {"precision", "float"},
+                        {"integrator", integrator},
+                        {"knob.solve", "sweeps"}};
+    };
+    std::vector<int> steps{5, 10, 20, 50};
+    if (n <= 128) steps.push_back(100);
+    study.curves = {curve("strands and tethers, n x 2", strands, {6, 12, 24, 48}, 2),
+                    curve("strands and tethers, n x 8", strands, {6, 12, 24}, 8),
+                    curve("aggregates and tethers, n x 1", coarse, steps),
+                    curve("global, n x 1", globally("first"), {1, 2, 5}),
+                    curve("global, BDF2, n x 2", globally("bdf2"), {1, 2, 5}, 2),
+                    curve("sweeps, n x 1", plain, steps),
+                    curve("sweeps, n x 1, one way", with(plain, "direction", "one-way"), steps),
+                    curve("sweeps, BDF2, n x 1", second, steps),
+                    curve("sweeps, BDF2, n x 4", second, {5, 10, 20}, 4)};
+    study.curves[6].flaw = gainsEnergy;
     study.peers = peersOnSheet(n);
     study.omissions = {
         "positions: flat, the sheet has no unique motion",
@@ -109,6 +128,7 @@ Study sheetStep(int n) {
                   {"integrator", "first"},
                   {"knob.size", side},
                   {"knob.dent", "0.001"},
+                  {"knob.solve", "sweeps"},
                   {"knob.compliance", "0.0003"}},
         .size = 1,
         .gravity = down,

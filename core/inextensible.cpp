@@ -1,0 +1,89 @@
+#include "inextensible.h"
+
+#include "stencils.h"
+#include "strands.h"
+
+#include <algorithm>
+
+namespace plait {
+namespace {
+
+// Tied to pins wherever they move.
+Rows<Tether> tethersIn(const World& world, Range sheet) {
+    std::vector<int> pinned;
+    for (int v = sheet.first; v < sheet.last; ++v)
+        if (world.pinned[static_cast<std::size_t>(v)]) pinned.push_back(v);
+    Tethers tethers = tethersOf(world.complex, sheet, world.rest, pinned);
+    std::vector<Motion> motions(world.start.size());
+    bool moves = false;
+    for (const World::Pins& pins : world.pins)
+        for (const int v : pins.vertices)
+            if (pins.motion) motions[static_cast<std::size_t>(v)] = pins.motion, moves = true;
+    for (std::size_t i = 0; i < tethers.anchors.size(); ++i)
+        tethers.set.rows[i].anchor = world.start[static_cast<std::size_t>(tethers.anchors[i])];
+    if (moves)
+        tethers.set.animate = [motions, anchors = tethers.anchors, start = world.start](
+                                  double t, std::span<Tether::Row<double>> rows) {
+            for (std::size_t i = 0; i < rows.size(); ++i) {
+                const auto a = static_cast<std::size_t>(anchors[i]);
+                if (motions[a]) rows[i].anchor = motions[a](start[a], t);
+            }
+        };
+    return std::move(tethers.set);
+}
+
+// Strand by strand, so that colours are of one direction each. In the order of the complex, where
+// directions mix, the same work leaves half as much strain again.
+Rows<Stretch> edgesOf(std::span<const Strand> strands, const Rows<Stretch>& edges) {
+    Rows<Stretch> set;
+    for (const Strand& strand : strands)
+        for (const int l : strand.links) {
+            const auto i = static_cast<std::size_t>(l);
+            set.ids.insert(set.ids.end(), {edges.ids[2 * i], edges.ids[2 * i + 1]});
+            set.rows.push_back(edges.rows[i]);
+        }
+    return set;
+}
+
+// Puts those that hold the sheet first and returns how many they are: the longest, while one has a
+// vertex that is not yet in two. On a grid they are its rows and columns. A diagonal left to the
+// sweeps keeps its length better than one that is solved whole, too, where the sheet folds.
+std::size_t putThreadsFirst(std::vector<Strand>& strands, std::size_t vertices) {
+    std::vector<int> count(vertices, 0);
+    const auto holds = [&](const Strand& strand) {
+        const auto open = [&](int v) { return count[static_cast<std::size_t>(v)] < 2; };
+        const bool any = std::any_of(strand.vertices.begin(), strand.vertices.end(), open);
+        for (const int v : strand.vertices) count[static_cast<std::size_t>(v)] += any;
+        return any;
+    };
+    std::vector<Strand> threads, others;
+    for (Strand& strand : strands) (holds(strand) ? threads : others).push_back(std::move(strand));
+    strands = threads;
+    strands.insert(strands.end(), others.begin(), others.end());
+    return threads.size();
+}
+
+}  // namespace
+
+void holdSheet(World& world, Range sheet, const SheetOptions& options) {
+    Rows<Stretch> edges =
+        restRows<Stretch>(edgeStencils(world.complex, sheet), world.rest, options.compliance);
+    const bool rigid = options.compliance == 0;
+    Rows<Stretch> threads;
+    if (options.strands) {
+        std::vector<Strand> strands = strandsOf(edges.ids, world.rest);
+        const std::size_t count = putThreadsFirst(strands, world.rest.size());
+        threads = edgesOf(std::span(strands).first(count), edges);
+        // An edge with compliance that two sets hold would be twice as stiff.
+        edges = edgesOf(std::span(strands).subspan(rigid ? 0 : count), edges);
+    }
+    world.constrain(edges, {.name = "stretch", .order = options.order});
+    if (options.strands)
+        world.strand(threads, {.name = "strands", .order = options.order + 1}, rigid);
+    if (options.tethers && rigid)
+        world.constrain(tethersIn(world, sheet), {.name = "tethers", .order = options.order + 2});
+    if (options.aggregates && rigid)
+        world.aggregate(edges, {.name = "aggregates", .order = options.order + 3});
+}
+
+}  // namespace plait

@@ -1,0 +1,116 @@
+#include "bench/sheet.h"
+
+#include "errors.h"
+#include "interrupt.h"
+#include "machine.h"
+#include "measure/energy.h"
+#include "settings.h"
+#include "simulation.h"
+#include "study/median.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace plait {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Case {
+    int vertices;  // along a side
+    std::string solve;
+    int substeps, iterations;
+    double seconds = 2;
+    std::string precision = "float";
+};
+
+// One value a frame, the start first.
+struct Course {
+    std::vector<double> milliseconds, strain, lowest, energy;
+    long evaluations = 0;  // a frame
+};
+
+double valueOf(const Run& run, const RunFrame& frame, const std::string& metric) {
+    for (std::size_t i = 0; i < run.scene.metrics.size(); ++i)
+        if (run.scene.metrics[i].name == metric) return frame.metrics[i];
+    return 0;
+}
+
+Course courseOf(const Case& of, int threads) {
+    const Run run = makeRun({{"scene", "hanging-sheet"},
+                             {"fps", "60"},
+                             {"seconds", std::to_string(of.seconds)},
+                             {"substeps", std::to_string(of.substeps)},
+                             {"iterations", std::to_string(of.iterations)},
+                             {"precision", of.precision},
+                             {"knob.size", std::to_string(of.vertices)},
+                             {"knob.solve", of.solve}});
+    const World& world = run.scene.world;
+    const auto simulation = makeSimulation(run, threads);
+    Course course;
+    for (int i = 0; i <= run.frames(); ++i) {
+        stopIfInterrupted();
+        const auto start = Clock::now();
+        if (i > 0) {
+            simulation->advance();
+            course.milliseconds.push_back(
+                1000 * std::chrono::duration<double>(Clock::now() - start).count());
+        }
+        const RunFrame frame = simulation->frame();
+        course.strain.push_back(valueOf(run, frame, "strain"));
+        course.lowest.push_back(valueOf(run, frame, "lowest"));
+        course.energy.push_back(kineticEnergy(world.mass, frame.velocities) +
+                                gravitationalEnergy(world.mass, frame.positions, {0, -9.81, 0}));
+        course.evaluations = frame.evaluations / std::max(i, 1);
+    }
+    return course;
+}
+
+void print(const Case& of, int threads) {
+    const Course course = courseOf(of, threads);
+    const auto second = course.strain.begin() + 61;  // the first frame of the last second
+    const auto least = std::min_element(course.lowest.begin(), course.lowest.begin() + 40);
+    std::printf("%5d  %-9s %4d x %-2d %7.2f M %9.2f ", of.vertices, of.solve.c_str(), of.substeps,
+                of.iterations, 1e-6 * static_cast<double>(course.evaluations),
+                median(course.milliseconds));
+    if (second < course.strain.end()) {
+        double sum = 0;
+        for (auto s = second; s != course.strain.end(); ++s) sum += *s;
+        std::printf("%7.2f %6.2f %6.2f", *std::max_element(second, course.strain.end()),
+                    sum / static_cast<double>(course.strain.end() - second),
+                    *std::max_element(course.strain.begin(), second));
+    } else {
+        std::printf("%7s %6s %6.2f", "", "",
+                    *std::max_element(course.strain.begin(), course.strain.end()));
+    }
+    std::printf("  %8.3f (%d) %7.3f %7.3f %9.1e\n", *least,
+                static_cast<int>(least - course.lowest.begin()), course.lowest[60],
+                course.energy[0] - course.energy[60],
+                *std::max_element(course.energy.begin(), course.energy.end()) - course.energy[0]);
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int benchSheet(int threads) {
+    const Machine machine = thisMachine();
+    std::printf("sheet on %s, %d cores, %d threads, kernels %s with %d lanes\n",
+                machine.processor.c_str(), machine.cores, threads, machine.kernels.c_str(),
+                machine.lanes);
+    std::printf("%5s  %-9s %9s %9s %9s %7s %6s %6s  %13s %7s %7s %9s\n", "side", "solve",
+                "substeps", "work", "ms", "strain", "mean", "before", "first swing", "at 1 s",
+                "lost", "gained");
+    std::printf("%5s  %-9s %9s %9s %9s %7s %6s %6s  %13s %7s %7s %9s\n", "", "", "a frame",
+                "a frame", "a frame", "%", "%", "%", "m (frame)", "m", "J", "J");
+    for (const Case& of :
+         {Case{64, "strands", 12, 2}, Case{64, "strands", 20, 10},
+          Case{64, "strands", 200, 4, 1, "double"}, Case{128, "strands", 32, 2},
+          Case{128, "strands", 60, 6}, Case{256, "strands", 48, 2}, Case{512, "strands", 96, 2}})
+        print(of, threads);
+    return exitOk;
+}
+
+}  // namespace plait
