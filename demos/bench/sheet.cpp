@@ -23,8 +23,8 @@ struct Case {
     int vertices;  // along a side
     std::string solve;
     int substeps, iterations;
+    std::string method = "xpbd", integrator = "first", precision = "float";
     double seconds = 2;
-    std::string precision = "float";
 };
 
 // One value a frame, the start first.
@@ -45,6 +45,8 @@ Course courseOf(const Case& of, int threads) {
                              {"seconds", std::to_string(of.seconds)},
                              {"substeps", std::to_string(of.substeps)},
                              {"iterations", std::to_string(of.iterations)},
+                             {"method", of.method},
+                             {"integrator", of.integrator},
                              {"precision", of.precision},
                              {"knob.size", std::to_string(of.vertices)},
                              {"knob.solve", of.solve}});
@@ -73,7 +75,8 @@ void print(const Case& of, int threads) {
     const Course course = courseOf(of, threads);
     const auto second = course.strain.begin() + 61;  // the first frame of the last second
     const auto least = std::min_element(course.lowest.begin(), course.lowest.begin() + 40);
-    std::printf("%5d  %-9s %4d x %-2d %7.2f M %9.2f ", of.vertices, of.solve.c_str(), of.substeps,
+    const std::string how = of.method == "xpbd" ? of.solve : of.method + ", " + of.integrator;
+    std::printf("%5d  %-14s %4d x %-2d %7.2f M %9.2f ", of.vertices, how.c_str(), of.substeps,
                 of.iterations, 1e-6 * static_cast<double>(course.evaluations),
                 median(course.milliseconds));
     if (second < course.strain.end()) {
@@ -100,15 +103,19 @@ int benchSheet(int threads) {
     std::printf("sheet on %s, %d cores, %d threads, kernels %s with %d lanes\n",
                 machine.processor.c_str(), machine.cores, threads, machine.kernels.c_str(),
                 machine.lanes);
-    std::printf("%5s  %-9s %9s %9s %9s %7s %6s %6s  %13s %7s %7s %9s\n", "side", "solve",
+    std::printf("%5s  %-14s %9s %9s %9s %7s %6s %6s  %13s %7s %7s %9s\n", "side", "held by",
                 "substeps", "work", "ms", "strain", "mean", "before", "first swing", "at 1 s",
                 "lost", "gained");
-    std::printf("%5s  %-9s %9s %9s %9s %7s %6s %6s  %13s %7s %7s %9s\n", "", "", "a frame",
+    std::printf("%5s  %-14s %9s %9s %9s %7s %6s %6s  %13s %7s %7s %9s\n", "", "", "a frame",
                 "a frame", "a frame", "%", "%", "%", "m (frame)", "m", "J", "J");
+    const auto global = [](int n, const char* integrator) {
+        return Case{n, "sweeps", 1, 2, "global", integrator};
+    };
     for (const Case& of :
-         {Case{64, "strands", 12, 2}, Case{64, "strands", 20, 10},
-          Case{64, "strands", 200, 4, 1, "double"}, Case{128, "strands", 32, 2},
-          Case{128, "strands", 60, 6}, Case{256, "strands", 48, 2}, Case{512, "strands", 96, 2}})
+         {Case{64, "strands", 12, 2}, Case{64, "strands", 20, 10}, global(64, "first"),
+          global(64, "bdf2"), Case{64, "strands", 200, 4, "xpbd", "first", "double", 1},
+          Case{128, "strands", 24, 2}, Case{128, "strands", 40, 6}, global(128, "first"),
+          Case{256, "strands", 64, 2}, Case{512, "strands", 128, 2}})
         print(of, threads);
     return exitOk;
 }
