@@ -9,13 +9,17 @@
 namespace plait {
 namespace {
 
-constexpr std::uint32_t version = 2;
+struct Format {
+    const char* magic;  // 8 characters
+    std::uint32_t version;
+};
+constexpr Format frames{"plaitfrm", 1}, checkpoints{"plaitchk", 2};
 
 class Writer {
 public:
-    Writer(const char* magic, std::size_t numberSize) {
-        bytes_.append(magic, 8);
-        put(version);
+    Writer(const Format& format, std::size_t numberSize) {
+        bytes_.append(format.magic, 8);
+        put(format.version);
         put(static_cast<std::uint32_t>(numberSize));
     }
     template <class T>
@@ -37,15 +41,16 @@ private:
 
 class Reader {
 public:
-    Reader(const std::string& bytes, const char* magic, const std::string& name)
+    Reader(const std::string& bytes, const Format& format, const std::string& name)
         : bytes_(bytes), name_(name) {
-        if (bytes.size() < 24 || bytes.compare(0, 8, magic, 8) != 0) fail("not of this format");
+        if (bytes.size() < 24 || bytes.compare(0, 8, format.magic, 8) != 0)
+            fail("not of this format");
         std::uint64_t hash;
         std::memcpy(&hash, bytes.data() + bytes.size() - sizeof hash, sizeof hash);
         bytes_.remove_suffix(sizeof hash);
         if (hash != hashOf(bytes_)) fail("damaged");
         bytes_.remove_prefix(8);
-        if (get<std::uint32_t>() != version) fail("of another version");
+        if (get<std::uint32_t>() != format.version) fail("of another version");
         numberSize = get<std::uint32_t>();
     }
     template <class T>
@@ -108,7 +113,7 @@ void forArrays(S& state, const Body& body) {
 }  // namespace
 
 std::string encodeFrame(const RunFrame& frame, int size) {
-    Writer writer("plaitfrm", static_cast<std::size_t>(size));
+    Writer writer(frames, static_cast<std::size_t>(size));
     for (const std::size_t n : {static_cast<std::size_t>(frame.number), frame.positions.size(),
                                 frame.metrics.size(), std::size_t{0}})
         writer.put(static_cast<std::int32_t>(n));
@@ -124,7 +129,7 @@ std::string encodeFrame(const RunFrame& frame, int size) {
 }
 
 RunFrame decodeFrame(const std::string& bytes, const std::string& name) {
-    Reader reader(bytes, "plaitfrm", name);
+    Reader reader(bytes, frames, name);
     RunFrame frame;
     frame.number = reader.get<std::int32_t>();
     const int vertices = reader.get<std::int32_t>(), metrics = reader.get<std::int32_t>();
@@ -143,7 +148,7 @@ RunFrame decodeFrame(const std::string& bytes, const std::string& name) {
 template <class Real>
 std::string encodeCheckpoint(const Checkpoint<Real>& checkpoint) {
     const State<Real>& state = checkpoint.state;
-    Writer writer("plaitchk", sizeof(Real));
+    Writer writer(checkpoints, sizeof(Real));
     writer.put(static_cast<std::int32_t>(checkpoint.frame));
     writer.put(static_cast<std::int32_t>(state.particles.size()));
     writer.put(static_cast<std::int64_t>(state.substep));
@@ -158,7 +163,7 @@ std::string encodeCheckpoint(const Checkpoint<Real>& checkpoint) {
 
 template <class Real>
 Checkpoint<Real> decodeCheckpoint(const std::string& bytes, const std::string& name) {
-    Reader reader(bytes, "plaitchk", name);
+    Reader reader(bytes, checkpoints, name);
     if (reader.numberSize != sizeof(Real)) reader.fail("of another precision");
     Checkpoint<Real> checkpoint;
     State<Real>& state = checkpoint.state;
