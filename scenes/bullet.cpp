@@ -3,6 +3,7 @@
 #include "collision/kdop.h"
 #include "collision/query.h"
 #include "forces/gravity.h"
+#include "inextensible.h"
 #include "measures.h"
 #include "stencils.h"
 #include "views.h"
@@ -170,11 +171,7 @@ Scene bullet(const Knobs& knobs) {
     const std::vector<int> pins = pointStencils({n * (n - 1), n * n});
     world.pin(pins);
     world.act<Gravity>(GravityOptions{});
-    const Rows<Stretch> links = restRows<Stretch>(edgeStencils(world.complex, sheet), world.rest);
-    world.constrain(links, {.name = "stretch"});
-    world.constrain(tethersOf(world.complex, sheet, world.rest, pins).set,
-                    {.name = "tethers", .order = 1});
-    world.aggregate(links, {.name = "aggregates", .order = 2});
+    holdSheet(world, sheet, {.strands = false, .aggregates = true});
     const Meeting meeting{ball.first, triangleStencils(world.complex, sheet), radius,
                           knobs.text("detection") == "path"};
     const auto make = [meeting]<class Real>(const World&, KernelChoice) {

@@ -49,8 +49,7 @@ public:
     const Row& row(int slot) const { return rows_[static_cast<std::size_t>(slot)]; }
     void setRow(int slot, const Row& row) { rows_[static_cast<std::size_t>(slot)] = row; }
 
-    // Before sweeps: a link that gives has, at rest, the length that its tension (N, by slot
-    // first) gives
+    // Before sweeps: a link that gives has, at rest, the length that its tension (N, by slot) gives
     // it, and multipliers start from 0.
     void aim(std::span<const Real> tension) {
         for (int n = 0; n < all_.size(); ++n) {

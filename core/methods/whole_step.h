@@ -51,9 +51,8 @@ struct NamedSet {
 };
 
 // Null for methods that sweep. `state` is where the run starts, and is given what the method keeps
-// in it. Throws std::invalid_argument that
-// says what the world has and the method has not: contacts, constraints without compliance, the
-// inertia of air, an integrator.
+// in it. Throws std::invalid_argument that says what the world has and the method has not:
+// contacts, constraints without compliance, the inertia of air, an integrator.
 template <class Real>
 std::unique_ptr<WholeStep<Real>> makeWholeStep(const SolverOptions& options,
                                                const std::vector<NamedSet<Real>>& sets,

@@ -46,21 +46,19 @@ Study sheetStudy(int n) {
     const Settings oneWay = with(firstOrderFloat, "direction", "one-way");
     // What takes minutes for little: four times the vertices.
     const int last = n > 32 ? 320 : 640, slowest = n > 32 ? 10 : 80;
-    study.curves = {
-        curve("first order, n x 1", firstOrder, doubling(5, last)),
-        curve("first order, n x 1, one way, float", oneWay, doubling(5, 640)),
-        curve("first order, n x 4", firstOrder, doubling(5, 80), 4),
-        curve("BDF2, n x 1", secondOrder, doubling(5, 320)),
-        curve("BDF2, n x 1, float", secondOrderFloat, doubling(5, 320)),
-        curve("BDF2, n x 4", secondOrder, doubling(5, last / 4), 4),
-        curve("explicit", by("explicit"), doubling(20, last)),
-        curve("symplectic", by("symplectic"), doubling(20, last)),
-        curve("implicit", by("implicit"), doubling(5, slowest)),
-        curve("block, n x 4", by("block"), doubling(5, slowest), 4),
-        curve("global, n x 1", with(by("global"), "knob.solve", "sweeps"), doubling(5, 80)),
-        curve("global, BDF2, n x 1", with(by("global", "bdf2"), "knob.solve", "sweeps"),
-              doubling(5, 80)),
-        curve("newton, BDF2", by("newton", "bdf2"), doubling(5, n > 32 ? 5 : 10))};
+    study.curves = {curve("first order, n x 1", firstOrder, doubling(5, last)),
+                    curve("first order, n x 1, one way, float", oneWay, doubling(5, 640)),
+                    curve("first order, n x 4", firstOrder, doubling(5, 80), 4),
+                    curve("BDF2, n x 1", secondOrder, doubling(5, 320)),
+                    curve("BDF2, n x 1, float", secondOrderFloat, doubling(5, 320)),
+                    curve("BDF2, n x 4", secondOrder, doubling(5, last / 4), 4),
+                    curve("explicit", by("explicit"), doubling(20, last)),
+                    curve("symplectic", by("symplectic"), doubling(20, last)),
+                    curve("implicit", by("implicit"), doubling(5, slowest)),
+                    curve("block, n x 4", by("block"), doubling(5, slowest), 4),
+                    curve("global, n x 1", by("global"), doubling(5, 80)),
+                    curve("global, BDF2, n x 1", by("global", "bdf2"), doubling(5, 80)),
+                    curve("newton, BDF2", by("newton", "bdf2"), doubling(5, n > 32 ? 5 : 10))};
     study.curves[1].flaw = gainsEnergy;
     study.omissions = {"rigid links: their motion is chaotic from 0.1 s on",
                        "nucleus: it knows no stiffness, only importance",
