@@ -16,10 +16,11 @@ namespace plait {
 // How one evaluation runs.
 enum class Direction { forward, backward };
 
-// Where in time a substep lies; targets move linearly within a frame (M 2.4).
+// Where in time a substep lies; targets move linearly within a base step, which is a frame or a
+// part of it (M 2.4; SolverOptions::baseSteps).
 struct Substep {
     double h;              // s
-    double frameFraction;  // part of the frame that is over at its end, 0 to 1
+    double frameFraction;  // part of the base step that is over at its end, 0 to 1
 };
 
 template <class Real>
@@ -27,10 +28,13 @@ class Constraint {
 public:
     virtual ~Constraint() = default;
 
-    // A frame begins, from time t0 to t1 (s): what moves finds out from where to where.
+    // A base step begins, from time t0 to t1 (s): what moves finds out from where to where.
     virtual void beginFrame(double /*t0*/, double /*t1*/) {}
     // A substep begins: multipliers to zero, moving targets to where they are at its end.
     virtual void begin(const Substep&, Workers&) {}
+
+    // Before the columns, where everything has been predicted: impacts that bounce.
+    virtual void strike(const Sweep<Real>&, const State<Real>&, Workers&) {}
 
     // Every constraint of the set once; backward is exactly the reverse of forward. Corrections go
     // to the d of sweep.particles.
@@ -43,6 +47,12 @@ public:
     // For smoothing: adds the constraints at each vertex; then learns the sums over all sets.
     virtual void countAt(std::vector<int>& /*counts*/) const {}
     virtual void relaxBy(const std::vector<int>& /*counts*/) {}
+
+    // The substep's last word on positions, after all sweeps.
+    virtual void finish(const Sweep<Real>&, Workers&) {}
+
+    // After the velocities: what a bounce leaves and the change of positions does not show.
+    virtual void rebound(State<Real>&) const {}
 
     // Marks the vertices that a one-sided constraint pushed in this substep.
     virtual void markTouched(std::vector<std::uint8_t>& /*touched*/) const {}

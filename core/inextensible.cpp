@@ -14,21 +14,25 @@ Rows<Tether> tethersIn(const World& world, Range sheet) {
     for (int v = sheet.first; v < sheet.last; ++v)
         if (world.pinned[static_cast<std::size_t>(v)]) pinned.push_back(v);
     Tethers tethers = tethersOf(world.complex, sheet, world.rest, pinned);
-    std::vector<Motion> motions(world.start.size());
-    bool moves = false;
-    for (const World::Pins& pins : world.pins)
-        for (const int v : pins.vertices)
-            if (pins.motion) motions[static_cast<std::size_t>(v)] = pins.motion, moves = true;
     for (std::size_t i = 0; i < tethers.anchors.size(); ++i)
         tethers.set.rows[i].anchor = world.start[static_cast<std::size_t>(tethers.anchors[i])];
-    if (moves)
-        tethers.set.animate = [motions, anchors = tethers.anchors, start = world.start](
-                                  double t, std::span<Tether::Row<double>> rows) {
-            for (std::size_t i = 0; i < rows.size(); ++i) {
-                const auto a = static_cast<std::size_t>(anchors[i]);
-                if (motions[a]) rows[i].anchor = motions[a](start[a], t);
-            }
-        };
+    std::vector<World::Pins> moving;
+    for (const World::Pins& pins : world.pins)
+        if (pins.animation) moving.push_back(pins);
+    if (moving.empty()) return std::move(tethers.set);
+    tethers.set.animate = [moving, anchors = tethers.anchors, start = world.start, at = world.start,
+                           some = std::vector<Vec<double>>()](
+                              double t, std::span<Tether::Row<double>> rows) mutable {
+        for (const World::Pins& pins : moving) {
+            some.clear();
+            for (const int v : pins.vertices) some.push_back(start[static_cast<std::size_t>(v)]);
+            pins.animation(t, some);
+            for (std::size_t i = 0; i < some.size(); ++i)
+                at[static_cast<std::size_t>(pins.vertices[i])] = some[i];
+        }
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            rows[i].anchor = at[static_cast<std::size_t>(anchors[i])];
+    };
     return std::move(tethers.set);
 }
 

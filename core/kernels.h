@@ -16,6 +16,7 @@ struct Sweep {
     Real inverseH2;   // 1/h^2, 1/s^2; 0 for methods that know no compliance
     Real keep;        // 1: multipliers accumulate within the substep; 0: each evaluation anew
     Real strength;    // part of the correction that is applied, 0 to 1
+    const Real* before = nullptr;  // 4 a vertex: d when the substep began
 };
 
 // The constraints of one colour, in blocks: member m of constraint n of a block is at m * 16 + n.

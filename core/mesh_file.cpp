@@ -26,6 +26,8 @@ T parsed(const MeshBuilder& mesh, std::string_view word, const char* kind) {
     return value;
 }
 
+}  // namespace
+
 std::string contentOf(const std::filesystem::path& path, const MeshBuilder& mesh) {
     std::error_code error;
     const auto type = std::filesystem::status(path, error).type();
@@ -40,8 +42,6 @@ std::string contentOf(const std::filesystem::path& path, const MeshBuilder& mesh
     if (!stream) mesh.fail("cannot be read");
     return content;
 }
-
-}  // namespace
 
 std::string_view takeLine(std::string_view& rest) {
     const std::size_t end = rest.find('\n');

@@ -1,4 +1,4 @@
-// What the readers of OBJ and PLY share; not for use outside them.
+// What the readers of OBJ, PLY and PC2 share; not for use outside them.
 #pragma once
 
 #include <cstddef>
@@ -39,6 +39,9 @@ struct MeshBuilder {
 
     Shape finished();
 };
+
+// All of a file; fails through `mesh`.
+std::string contentOf(const std::filesystem::path& path, const MeshBuilder& mesh);
 
 Shape readObj(const std::string& file, std::string_view content);
 Shape readPly(const std::string& file, std::string_view content);

@@ -10,9 +10,9 @@ namespace {
 // The same world with its pins held where they are at time 0.
 World still(World world) {
     for (World::Pins& pins : world.pins)
-        if (pins.motion)
-            pins.motion = [motion = pins.motion](const Vec<double>& start, double) {
-                return motion(start, 0);
+        if (pins.animation)
+            pins.animation = [animation = pins.animation](double, std::span<Vec<double>> x) {
+                animation(0, x);
             };
     return world;
 }

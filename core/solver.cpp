@@ -13,21 +13,25 @@ namespace plait {
 
 // One substep: S sections 5 and 6, XPBD (2016) algorithm 1, and V for the second order.
 template <class Real>
-void Solver<Real>::substep(double frameFraction) {
+void Solver<Real>::substep(double fraction) {
     const bool second = options_.integrator == Integrator::bdf2 && state_.hasPast;
     implied_ = second ? 2 * h_ / 3 : h_;
-    startVelocities(second);   // v <- v, or (4 v - v1) / 3
-    applyForces();             // v <- v + h W f
-    predict(second);           // x <- x + h v, or (4 x - x1) / 3 + 2/3 h v
-    movePins(frameFraction);   // x <- where the artist wants it
-    beginSets(frameFraction);  // lambda <- 0
+    startVelocities(second);  // v <- v, or (4 v - v1) / 3
+    if (whole_) whole_->begin(state_);
+    applyForces();        // v <- v + h W f
+    predict(second);      // x <- x + h v, or (4 x - x1) / 3 + 2/3 h v
+    movePins(fraction);   // x <- where the artist wants it
+    beginSets(fraction);  // lambda <- 0
+    for (const int s : contacts_) sets_[s]->strike(sweepOf(s), state_, workers_);
     if (whole_) {
         takeWhole();  // x <- where another method has it (methods/)
     } else {
         sweepColumns();  // x <- x + W J^T dlambda, set by set
         smooth();
     }
+    for (const int s : contacts_) sets_[s]->finish(sweepOf(s), workers_);
     update(second);  // v <- (x - x1) / h, or (3 x - 4 x1 + x2) / 2 h
+    for (const int s : contacts_) sets_[s]->rebound(state_);
     dampRates();
     state_.hasPast = true;
     ++state_.substep;
@@ -40,12 +44,16 @@ template <class Real>
 void Solver<Real>::sweepColumns() {
     schedule_.plan(state_.substep, plan_);
     const bool turn = options_.sweeps == Sweeps::alternating && state_.substep % 2 == 1;
+    const auto sweep = [&](std::span<const int> sets) {
+        evaluate(sets, turn ? Direction::backward : Direction::forward);
+        if (options_.sweeps == Sweeps::palindrome) evaluate(sets, Direction::backward);
+    };
     column_ = 0;
     for (const SubstepPlan::Column& column : plan_.columns) {
-        for (const auto sets : {plan_.constraints(column), plan_.contacts(column)}) {
-            evaluate(sets, turn ? Direction::backward : Direction::forward);
-            if (options_.sweeps == Sweeps::palindrome) evaluate(sets, Direction::backward);
-        }
+        if (chebyshev_) chebyshev_->begin(column_, state_);
+        sweep(plan_.constraints(column));
+        if (chebyshev_) chebyshev_->mix(state_, workers_);
+        sweep(plan_.contacts(column));
         ++column_;
     }
 }
@@ -81,6 +89,7 @@ Sweep<Real> Solver<Real>::sweepOf(int set) {
                             : xpbdSweep<Real>(implied_);
     sweep.particles = &state_.particles[0].x.x;
     sweep.air = state_.hasAir ? &state_.air[0].v.x : nullptr;
+    sweep.before = &state_.before[0].v.x;
     return sweep;
 }
 
@@ -129,8 +138,8 @@ void Solver<Real>::applyForces() {
 }
 
 template <class Real>
-void Solver<Real>::beginSets(double frameFraction) {
-    for (const auto& set : sets_) set->begin({h_, frameFraction}, workers_);
+void Solver<Real>::beginSets(double fraction) {
+    for (const auto& set : sets_) set->begin({h_, fraction}, workers_);
 }
 
 template <class Real>
@@ -150,7 +159,7 @@ void Solver<Real>::frame() {
         putBack();
         blaming_ = true;
         advance();
-    } catch (const Diverged&) {
+    } catch (...) {
         putBack();
         throw;
     }
@@ -160,16 +169,27 @@ void Solver<Real>::frame() {
 
 template <class Real>
 void Solver<Real>::advance() {
-    const int n = options_.schedule.substeps;
-    const double t0 = time(), t1 = static_cast<double>(state_.substep + n) * h_;
+    const int n = options_.schedule.substeps, parts = std::min(options_.baseSteps, n);
+    const auto timeIn = [&](int substeps) {
+        return static_cast<double>(state_.substep + substeps) * h_;
+    };
+    for (const auto& force : forces_) force->beginFrame(state_, timeIn(0), timeIn(n), workers_);
+    for (int part = 0, done = 0; part < parts; ++part) {
+        const int length = static_cast<int>(n * (part + 1L) / parts) - done;
+        beginBaseStep(timeIn(0), timeIn(length));
+        for (int i = 1; i <= length; ++i) substep(static_cast<double>(i) / length);
+        done += length;
+    }
+}
+
+template <class Real>
+void Solver<Real>::beginBaseStep(double t0, double t1) {
     for (Pins& pins : pins_)
-        for (std::size_t i = 0; i < pins.vertices.size(); ++i) {
-            pins.from[i] = pins.motion(pins.start[i], t0);
-            pins.to[i] = pins.motion(pins.start[i], t1);
+        for (const auto& [t, positions] : {std::pair{t0, &pins.from}, {t1, &pins.to}}) {
+            std::copy(pins.start.begin(), pins.start.end(), positions->begin());
+            pins.animation(t, *positions);
         }
-    for (const auto& force : forces_) force->beginFrame(state_, t0, t1, workers_);
     for (const auto& set : sets_) set->beginFrame(t0, t1);
-    for (int i = 1; i <= n; ++i) substep(static_cast<double>(i) / n);
 }
 
 template <class Real>

@@ -2,6 +2,7 @@
 // read first.
 #pragma once
 
+#include "chebyshev.h"
 #include "constraint.h"
 #include "forces/force.h"
 #include "methods/whole_step.h"
@@ -25,8 +26,9 @@ public:
     // vertex that moves without mass, and a start that is no number in the precision of the run.
     Solver(const World& world, const SolverOptions& options);
 
-    // Advances by one frame. Throws Diverged, with everything put back to where the frame began, if
-    // a number is not finite. Allocates nothing after the first frame.
+    // Advances by one frame. Throws Diverged if a number is not finite, and what an animation
+    // throws, with everything put back to where the frame began. Allocates nothing after the first
+    // frame.
     void frame();
     // Back to the start of the run, bit for bit [AR11].
     void rewind();
@@ -58,14 +60,16 @@ public:
 private:
     void setUpState(const World& world);
     void setUpSets(const World& world);
+    void setUpChebyshev();
 
     void advance();
-    void substep(double frameFraction);
+    void beginBaseStep(double t0, double t1);
+    void substep(double fraction);
     void startVelocities(bool second);
     void applyForces();
     void predict(bool second);
-    void movePins(double frameFraction);
-    void beginSets(double frameFraction);
+    void movePins(double fraction);
+    void beginSets(double fraction);
     void sweepColumns();
     void takeWhole();
     void evaluate(std::span<const int> sets, Direction direction);
@@ -76,10 +80,10 @@ private:
     bool finite() const;
     void blame(const std::string& culprit) const;
 
-    // Pinned vertices that move, and where they are at both ends of the frame.
+    // Pinned vertices that move, and where they are at both ends of the base step.
     struct Pins {
         std::vector<int> vertices;
-        Motion motion;
+        Animation animation;
         std::vector<Vec<double>> start, from, to;
     };
 
@@ -91,7 +95,8 @@ private:
     std::vector<bool> isContact_;
     std::vector<std::unique_ptr<Constraint<Real>>> sets_;
     std::vector<std::unique_ptr<Force<Real>>> forces_;
-    std::unique_ptr<WholeStep<Real>> whole_;  // null: the method sweeps
+    std::unique_ptr<WholeStep<Real>> whole_;      // null: the method sweeps
+    std::unique_ptr<Chebyshev<Real>> chebyshev_;  // null: off
     std::vector<Pins> pins_;
     std::vector<Padded<Real>> sums_;     // of corrections, for smoothing
     std::vector<std::uint8_t> touched_;  // by a one-sided constraint, for BDF2's fall-back

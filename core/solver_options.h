@@ -36,6 +36,13 @@ struct SolverOptions {
     Integrator integrator = Integrator::first;
     Sweeps sweeps = Sweeps::palindrome;
     ScheduleOptions schedule = {.substeps = 10, .iterations = 1};
+    // 1 or more: parts of a frame, at whose ends what moves (pins, rows, colliders) is asked where
+    // it is; in between it goes straight. More for fast turns (M 2.4) [IN28]. As many as there are
+    // substeps are of use.
+    int baseSteps = 1;
+    // 0: off. Below 1: columns are mixed for eigenvalues of a palindrome up to this (chebyshev.h).
+    // For xpbd, palindromes, rigid sets, and at least 3 `iterations` of all of them.
+    double chebyshev = 0;
     // Jacobi iterations after the columns (V: 10), contacts once more after; of methods that sweep.
     int smoothing = 0;
     double damping = 0;    // part of the velocity that is lost in 1/24 s, 0 to 1 [IN23]

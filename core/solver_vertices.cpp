@@ -1,4 +1,5 @@
 // What the solver does vertex by vertex: integration, pins, and where a run begins.
+#include "constraints/constants.h"
 #include "elementary.h"
 #include "measure/finite.h"
 #include "solver.h"
@@ -86,6 +87,7 @@ Solver<Real>::Solver(const World& world, const SolverOptions& options)
         throw std::invalid_argument("damping must be in [0, 1]");
     if (!(options.maxAcceleration > 0))
         throw std::invalid_argument("max acceleration must be positive");
+    if (options.baseSteps < 1) throw std::invalid_argument("there must be a base step");
     if (options.smoothing < 0) throw std::invalid_argument("smoothing must not be negative");
     const FrameRate rate = options.schedule.frameRate;
     h_ = options.timeScale * rate.seconds / (double(rate.frames) * options.schedule.substeps);
@@ -99,7 +101,32 @@ Solver<Real>::Solver(const World& world, const SolverOptions& options)
     const bool inertia = std::any_of(forces_.begin(), forces_.end(),
                                      [](const auto& force) { return force->hasInertia(); });
     whole_ = makeWholeStep(options_, named, state_, inertia);
+    setUpChebyshev();
     start_ = state_;
+}
+
+template <class Real>
+void Solver<Real>::setUpChebyshev() {
+    if (options_.chebyshev == 0) return;
+    const auto need = [](bool met, const std::string& what) {
+        if (!met) throw std::invalid_argument("chebyshev " + what);
+    };
+    need(options_.chebyshev > 0 && options_.chebyshev < 1, "must be in [0, 1)");
+    need(options_.method == Method::xpbd, "is for method xpbd");
+    need(options_.sweeps == Sweeps::palindrome &&
+             options_.schedule.mode == ScheduleMode::interleaved,
+         "needs palindromes, interleaved");
+    need(options_.schedule.iterations >= 3, "needs 3 iterations or more");
+    const auto yields = [](Real compliance) { return compliance > 0 && compliance < Real(slack); };
+    Terms<Real> terms;
+    for (std::size_t s = 0; s < sets_.size(); ++s) {
+        const ScheduledSet& set = schedule_.sets()[s];
+        if (set.contact || !sets_[s]->terms(state_, false, terms)) continue;
+        need(std::none_of(terms.above.begin(), terms.above.end(), yields) &&
+                 std::none_of(terms.below.begin(), terms.below.end(), yields),
+             "mixes no multipliers, and set " + set.name + " has compliance");
+    }
+    chebyshev_ = std::make_unique<Chebyshev<Real>>(options_.chebyshev, state_.particles.size());
 }
 
 template <class Real>
@@ -126,8 +153,8 @@ void Solver<Real>::setUpState(const World& world) {
                                         " does not start at a number");
     }
     for (const World::Pins& pins : world.pins) {
-        if (!pins.motion) continue;
-        Pins moving{pins.vertices, pins.motion, {}, {}, {}};
+        if (!pins.animation) continue;
+        Pins moving{pins.vertices, pins.animation, {}, {}, {}};
         for (const int v : pins.vertices)
             moving.start.push_back(world.start[static_cast<std::size_t>(v)]);
         moving.from = moving.to = moving.start;

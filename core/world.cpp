@@ -62,11 +62,19 @@ Range World::add(const Shape& shape, const Matter& matter) {
 }
 
 void World::pin(std::vector<int> vertices, Motion motion) {
+    if (!motion) return pin(std::move(vertices), Animation{});
+    pin(std::move(vertices),
+        Animation([at = std::move(motion)](double t, std::span<Vec<double>> positions) {
+            for (Vec<double>& x : positions) x = at(x, t);
+        }));
+}
+
+void World::pin(std::vector<int> vertices, Animation animation) {
     for (const int v : vertices)
         if (v < 0 || static_cast<std::size_t>(v) >= pinned.size())
             throw std::invalid_argument("pin: there is no vertex " + std::to_string(v));
     for (const int v : vertices) pinned[static_cast<std::size_t>(v)] = 1;
-    pins.push_back({std::move(vertices), std::move(motion)});
+    pins.push_back({std::move(vertices), std::move(animation)});
 }
 
 std::vector<int> World::select(Range range,

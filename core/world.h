@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -30,6 +31,10 @@ struct Matter {
 
 // Where a pinned vertex is at time t (s), given where it started (m).
 using Motion = std::function<Vec<double>(const Vec<double>& start, double t)>;
+
+// Where pinned vertices are at time t (s), all at once, as a character's surface is: `positions`
+// (m) has one a vertex, in the order in which they were pinned, and holds where they started.
+using Animation = std::function<void(double t, std::span<Vec<double>> positions)>;
 
 struct SetOptions {
     std::string name;
@@ -73,7 +78,7 @@ struct World {
 
     struct Pins {
         std::vector<int> vertices;
-        Motion motion;  // none: they stay
+        Animation animation;  // none: they stay
     };
     struct Set {
         SetOptions options;
@@ -89,9 +94,12 @@ struct World {
     // positive and finite, or for a start or velocity of another length than the shape.
     Range add(const Shape& shape, const Matter& matter = {});
 
-    // Pinned vertices have no inverse mass: nothing but `motion` moves them. Throws
-    // std::invalid_argument for a vertex that is not there.
+    // Pinned vertices have no inverse mass: nothing but `motion` or `animation` moves them. These
+    // must be functions of t alone, and are asked at both ends of a frame, or of each of
+    // SolverOptions::baseSteps; between them a vertex goes straight and steadily (M 2.4) [IN27].
+    // Throws std::invalid_argument for a vertex that is not there.
     void pin(std::vector<int> vertices, Motion motion = {});
+    void pin(std::vector<int> vertices, Animation animation);
     // The vertices of `range` whose start satisfies `where`.
     std::vector<int> select(Range range,
                             const std::function<bool(const Vec<double>&)>& where) const;

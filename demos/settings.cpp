@@ -1,6 +1,7 @@
 #include "settings.h"
 
 #include "errors.h"
+#include "mesh_file.h"
 #include "words.h"
 
 #include <algorithm>
@@ -100,6 +101,11 @@ const std::vector<Setting>& table() {
               [](auto& run) -> auto& { return run.scene.options.schedule.substeps; }),
         count("iterations", 0, "in a substep, of every set but contacts; 0: by importance",
               [](auto& run) -> auto& { return run.scene.options.schedule.iterations; }),
+        {{"chebyshev", "RHO", "mixes iterations, for rates up to this, below 1; 0: off"},
+         [](const Run& run) { return text(run.scene.options.chebyshev); },
+         [](Run& run, const std::string& word) {
+             run.scene.options.chebyshev = parseNumber("--chebyshev", word, 0, 0.999);
+         }},
         choice("precision", {"float", "double"}, "of the state",
                [](auto& run) -> auto& { return run.precision; }),
     };
@@ -172,6 +178,8 @@ Run makeRun(const Settings& settings) {
     run.knobs = makeKnobs(*run.entry, settings);
     try {
         run.scene = run.entry->build(run.knobs);
+    } catch (const MeshFileError& error) {
+        throw FileError(error.what());
     } catch (const std::exception& error) {
         throw SceneError(run.entry->name + " cannot be built: " + error.what());
     }

@@ -38,7 +38,8 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 // A new frame rate changes the substeps in a frame, unless they are given too, so that the length
 // of a substep stays: it decides how often one looks, not what happens.
 //
-// Throws UsageError for unknown names and bad values, SceneError for a scene that cannot be built.
+// Throws UsageError for unknown names and bad values, FileError for a mesh that cannot be read,
+// SceneError for a scene that cannot be built.
 Run makeRun(const Settings& settings);
 
 // All settings of a run, in one fixed order: equal runs give equal text.

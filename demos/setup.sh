@@ -46,6 +46,7 @@ install() {
     stage "package lists" "${apt[@]}" update || true
     stage "install ${#missing[@]} packages" \
         "${apt[@]}" install -y --no-install-recommends "${missing[@]}" || fail "as root: $line"
+    touch CMakeLists.txt  # so that builds look again for what there is
 }
 
 configure() {  # PRESET FOLDER; ninja repeats it when a CMakeLists.txt changes

@@ -12,7 +12,10 @@ template <class Real>
 class SimulationIn : public Simulation {
 public:
     SimulationIn(const Run& run, const SolverOptions& options)
-        : run_(run), solver_(run.scene.world, options) {}
+        : run_(run), solver_(run.scene.world, options) {
+        const FrameRate rate = options.schedule.frameRate;
+        for (; lead_ * rate.seconds < run.scene.lead * rate.frames; ++lead_) solver_.frame();
+    }
 
     void advance() override {
         const auto start = std::chrono::steady_clock::now();
@@ -23,7 +26,7 @@ public:
 
     RunFrame frame() const override {
         RunFrame frame{.number = number_,
-                       .time = solver_.time(),
+                       .time = solver_.time() - run_.scene.lead,
                        .evaluations = solver_.evaluations(),
                        .seconds = seconds_,
                        .metrics = {},
@@ -66,6 +69,7 @@ private:
 
     const Run& run_;
     Solver<Real> solver_;
+    int lead_ = 0;  // frames before the first
     int number_ = 0;
     double seconds_ = 0;  // of the last frame
 };

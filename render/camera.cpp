@@ -49,6 +49,29 @@ CameraPose poseAt(std::span<const Camera> cameras, double t) {
             static_cast<float>(2 * std::atan(10.125 / n[6]))};
 }
 
+glm::vec3 wayAt(const Follow& follow, double t) {
+    if (!follow.point) return glm::vec3(0);
+    // Weights that rise and fall smoothly, so that no corner of the way is seen.
+    constexpr int steps = 24;
+    Vec<double> sum{0, 0, 0};
+    double weights = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double s = (2 * i + 1.0) / steps - 1, w = (1 - s * s) * (1 - s * s);
+        sum += w * (follow.point(t + s * follow.smoothing) - follow.home);
+        weights += w;
+    }
+    return {sum.x / weights, sum.y / weights, sum.z / weights};
+}
+
+CameraPose poseOf(const View& view, double t) {
+    CameraPose pose = poseAt(view.cameras, t);
+    const glm::vec3 way = wayAt(view.follow, t);
+    const auto part = [&](const Vec<double>& v) { return glm::vec3(v.x, v.y, v.z) * way; };
+    pose.eye += part(view.follow.eye);
+    pose.target += part(view.follow.target);
+    return pose;
+}
+
 glm::mat4 CameraPose::matrix(float aspect) const {
     const float distance = glm::length(target - eye);
     return glm::perspective(fieldOfView, aspect, 0.05f * distance, 20 * distance) *

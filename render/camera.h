@@ -22,4 +22,9 @@ struct CameraPose {
 // Throws std::invalid_argument if there is no pose.
 CameraPose poseAt(std::span<const Camera> cameras, double t);
 
+// How far the point that the camera follows is from its home at time t (s), averaged; m.
+glm::vec3 wayAt(const Follow& follow, double t);
+// The pose at time t with what it follows.
+CameraPose poseOf(const View& view, double t);
+
 }  // namespace plait

@@ -7,7 +7,7 @@
 
 namespace plait {
 
-enum class Family { cloth, metal, coat };
+enum class Family { cloth, metal, coat, skin, tulle };
 
 // `numbers` is what the family's shader calls `finish`.
 struct Finish {
@@ -33,6 +33,12 @@ inline Finish finishOf(Material material) {
             return {Family::coat, {0.02f, 0.7f, 0.1f, 0}};
         case Material::rubber:
             return {Family::coat, {0.04f, 0.3f, 0.35f, 0.6f}};
+        case Material::satin:
+            return {Family::cloth, {0.45f, 0.1f, 0.3f, 0.12f}, 0.2f, 2.2f};
+        case Material::tulle:
+            return {Family::tulle, {0.3f, 24, 0.5f, 0}};
+        case Material::skin:
+            return {Family::skin, {0.03f, 0.42f, 0.09f, 0.3f}};
     }
     return {Family::coat, {}};
 }

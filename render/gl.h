@@ -15,6 +15,7 @@ namespace plait {
     X(BINDRENDERBUFFER, BindRenderbuffer)                             \
     X(BINDTEXTURE, BindTexture)                                       \
     X(BINDVERTEXARRAY, BindVertexArray)                               \
+    X(BLENDFUNC, BlendFunc)                                           \
     X(BLITFRAMEBUFFER, BlitFramebuffer)                               \
     X(BUFFERDATA, BufferData)                                         \
     X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)                 \
@@ -37,6 +38,7 @@ namespace plait {
     X(DRAWELEMENTS, DrawElements)                                     \
     X(ENABLE, Enable)                                                 \
     X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray)               \
+    X(FRONTFACE, FrontFace)                                           \
     X(FRAMEBUFFERRENDERBUFFER, FramebufferRenderbuffer)               \
     X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)                     \
     X(GENBUFFERS, GenBuffers)                                         \

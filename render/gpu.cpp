@@ -93,6 +93,13 @@ Target makeDepthTarget(int size) {
     return target;
 }
 
+Target makeSceneTarget(int width, int height) {
+    Target target = makeTarget(width, height, GL_RGBA16F);
+    target.depth = makeRenderbuffer(width, height, 0, GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT);
+    requireComplete("a texture with depth");
+    return target;
+}
+
 Target makeMultisampledTarget(int width, int height, int samples) {
     Target target{width, height, {}, {}, {}, makeFramebuffer()};
     target.color = makeRenderbuffer(width, height, samples, GL_RGBA16F, GL_COLOR_ATTACHMENT0);

@@ -21,7 +21,7 @@ Grade::Grade(int width, int height)
       result_(makeTarget(width, height, GL_RGBA8)),
       pixels_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
-Picture Grade::apply(const Texture& scene, const VertexArray& empty) {
+Picture Grade::apply(const Texture& scene, float vignette, const VertexArray& empty) {
     const glm::vec2 size(result_.width, result_.height),
         texel = 1.0f / glm::vec2(small_.width, small_.height);
     glDisable(GL_DEPTH_TEST);
@@ -49,6 +49,7 @@ Picture Grade::apply(const Texture& scene, const VertexArray& empty) {
     grade_.set("bloom", 1, small_.texture);
     grade_.set("size", size);
     grade_.set("exposure", exposure);
+    grade_.set("vignette", vignette);
     drawScreen(empty);
 
     glPixelStorei(GL_PACK_ALIGNMENT, 1);

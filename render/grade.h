@@ -11,8 +11,9 @@ public:
     Grade() = default;
     Grade(int width, int height);
 
-    // `scene` is linear light of the same size.
-    Picture apply(const Texture& scene, const VertexArray& empty);
+    // `scene` is linear light of the same size; `vignette` is the part that is lost at the middle
+    // of an edge.
+    Picture apply(const Texture& scene, float vignette, const VertexArray& empty);
 
 private:
     Program bright_, bloom_, grade_;

@@ -3,6 +3,8 @@
 
 #include "camera.h"
 #include "context.h"
+#include "finish.h"
+#include "floor_mirror.h"
 #include "gpu.h"
 #include "grade.h"
 #include "overlay.h"
@@ -10,8 +12,10 @@
 #include "scene.h"
 #include "shadow.h"
 #include "skin.h"
+#include "veils.h"
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -51,18 +55,32 @@ private:
         float period = 1;
     };
 
+    // What a picture is of: from where, and in which colours.
+    struct Shot {
+        CameraPose pose;
+        glm::mat4 camera;  // world to clip
+        bool overlay;
+        float lowest = -1e9f;  // m, where what is drawn is cut off
+    };
+
     void addSkin(Skin skin);
-    void upload(std::size_t i);
-    void findSubject();
-    void drawSkins(const glm::mat4& camera, const CameraPose& pose, bool overlay);
-    float pixelAt(const CameraPose& pose) const;
-    const Program& surfaceProgram(std::size_t i, const CameraPose& pose, bool overlay);
+    void prepareGround();
+    void update(std::span<const Vec<double>> positions, const Overlay* overlay);
+    void findSubject(const Shot& shot);
+    void renderShadows();
     void drawCasters(const glm::mat4& matrix);
-    void drawBackdrop(const glm::mat4& camera, const CameraPose& pose);
-    void drawRows(const Program& program, int first, int last, const glm::mat4& camera,
-                  const CameraPose& pose);
-    int groundRows(const glm::mat4& camera, const CameraPose& pose) const;
+    void drawSkins(const Shot& shot);
+    void drawVeils(const Shot& shot);
+    void useSurface(std::size_t i, const Shot& shot);
+    const Program& surfaceProgram(std::size_t i, const Shot& shot);
+    float pixelAt(const CameraPose& pose) const;
+    void drawMirror(const Shot& shot);
+    void drawBackdrop(const Shot& shot);
+    void drawRows(const Program& program, int first, int last, const Shot& shot);
+    int groundRows(const Shot& shot) const;
     void setStage(const Program& program, const CameraPose& pose) const;
+    static bool isVeil(const Skin& skin);
+    static const char* familyShader(Family family);
 
     View view_;
     RenderOptions options_;
@@ -70,15 +88,20 @@ private:
     std::vector<Skin> skins_;  // looks first, then coils, then props
     std::vector<GpuMesh> meshes_;
     std::map<std::string, Program> surfaces_;  // by #defines and family, made when first needed
-    Program depth_, backdrop_, ground_;
+    std::string prologue_;                     // of every shader that knows the stage
+    Program depth_, netDepth_, backdrop_, ground_;
     Texture weave_, plain_;
-    ShadowMap keyShadow_, keyBlur_, skyShadow_;
+    ShadowMap keyShadow_, skyShadow_;
+    ShadowBlur keyCover_, skyCover_, skyMoments_;
+    Veils veils_;
+    std::optional<FloorMirror> mirror_;
     Target canvas_, resolved_;
     Grade grade_;
     VertexArray empty_;
     glm::vec3 key_{0}, fill_{0}, rim_{0};
-    glm::vec3 subject_{0};
+    glm::vec3 subject_{0};  // what casts shadows, and how far around it, m
     float radius_ = 1;
+    glm::vec3 way_{0};  // of what the camera follows, m
 };
 
 }  // namespace plait

@@ -68,8 +68,10 @@ Skin::Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, 
       radius_(static_cast<float>(look.radius)) {
     if (range_.first < 0 || range_.last > complex.count(0) || range_.size() < 1)
         throw std::invalid_argument("look: its object is not a range of the world's vertices");
-    if (!look.uv.empty() && static_cast<int>(look.uv.size()) != range_.size())
-        throw std::invalid_argument("look: needs as many uv as the object has vertices");
+    for (const std::size_t n : {look.uv.size(), look.colors.size(), look.satin.size()})
+        if (n > 0 && static_cast<int>(n) != range_.size())
+            throw std::invalid_argument(
+                "look: needs as many uv, colors or satin as the object has vertices");
     addSurface(complex, rest, look, pixel);
 
     const Csr triangles = complex.parents(1), edgesAt = complex.parents(0);
@@ -142,6 +144,17 @@ void Skin::addSurface(const SimplicialComplex& complex, std::span<const Vec<doub
     }
     surfaceTriangles_ = static_cast<int>(triangles_.size());
     layCloth(rest, coarse, look);
+    paint(look);
+}
+
+void Skin::paint(const Look& look) {
+    for (const auto& c : look.colors) colors_.push_back(toGlm(c));
+    satin_.assign(look.satin.begin(), look.satin.end());
+    if (subdivision_.size() == 0) return;
+    const auto coarseColors = colors_;
+    const auto coarseSatin = satin_;
+    if (!colors_.empty()) subdivision_.apply<glm::vec3>(coarseColors, colors_);
+    if (!satin_.empty()) subdivision_.apply<float>(coarseSatin, satin_);
 }
 
 // The uv of a look come in any unit: here they become metres of the rest shape.
@@ -192,12 +205,12 @@ void Skin::update(std::span<const Vec<double>> positions, std::span<const glm::v
     }
     vertices_.resize(static_cast<std::size_t>(surfaceVertices_));
     triangles_.resize(static_cast<std::size_t>(surfaceTriangles_));
-    if (surfaceVertices_ > 0) updateSurface();
+    if (surfaceVertices_ > 0) updateSurface(!tints.empty());
     updateCurves();
     if (coil_) updateCoil(*coil_);
 }
 
-void Skin::updateSurface() {
+void Skin::updateSurface(bool tinted) {
     const bool refined = subdivision_.size() > 0;
     if (refined) {
         subdivision_.apply<glm::vec3>(coarse_, fine_);
@@ -206,7 +219,10 @@ void Skin::updateSurface() {
     const auto& x = refined ? fine_ : coarse_;
     const auto& tints = refined ? fineTints_ : coarseTints_;
     for (int i = 0; i < surfaceVertices_; ++i)
-        vertices_[i] = {.position = x[i], .uv = uv_[i], .tint = tints[i]};
+        vertices_[i] = {.position = x[i],
+                        .uv = uv_[i],
+                        .tint = colored() && !tinted ? colors_[i] : tints[i],
+                        .satin = satin_.empty() ? 0.0f : satin_[i]};
     for (const auto& [a, b, c] : triangles_) {
         const glm::vec3 p = x[b] - x[a], q = x[c] - x[a];
         const glm::vec2 s = uv_[b] - uv_[a], t = uv_[c] - uv_[a];

@@ -19,7 +19,7 @@ namespace plait {
 class Skin {
 public:
     // `pixel`: m, that a pixel shows of the object. Throws std::invalid_argument if `look` has a
-    // range outside the complex or a wrong number of uv.
+    // range outside the complex or a wrong number of uv, colours or satin.
     Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, const Look& look,
          float pixel);
     // Throws std::invalid_argument if `coil` ends at no vertex or has no turn.
@@ -35,7 +35,8 @@ public:
     Material material() const { return material_; }
     const glm::vec3& color() const { return color_; }
     bool printed() const { return printed_; }
-    const glm::vec2& size() const { return size_; }  // m, of the cloth along u and v
+    bool colored() const { return !colors_.empty(); }  // by vertex, unless tinted
+    const glm::vec2& size() const { return size_; }    // m, of the cloth along u and v
     // m, of an edge of a surface whose triangles are as small as is seen: there light changes
     // little from vertex to vertex. Otherwise 0.
     float facet() const { return facet_; }
@@ -43,9 +44,10 @@ public:
 private:
     void addSurface(const SimplicialComplex& complex, std::span<const Vec<double>> rest,
                     const Look& look, float pixel);
+    void paint(const Look& look);
     void layCloth(std::span<const Vec<double>> rest, std::span<const std::array<int, 3>> triangles,
                   const Look& look);
-    void updateSurface();
+    void updateSurface(bool tinted);
     void updateCurves();
     void updateCoil(const Coil& coil);
 
@@ -60,6 +62,8 @@ private:
     Subdivision subdivision_;  // none: fine is coarse
     int surfaceVertices_ = 0, surfaceTriangles_ = 0;
     std::vector<glm::vec2> uv_;  // m, of fine vertices
+    std::vector<glm::vec3> colors_;
+    std::vector<float> satin_;
     std::vector<Polyline> curves_;
     std::optional<Coil> coil_;
     std::vector<int> balls_;

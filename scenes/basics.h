@@ -12,6 +12,7 @@ Scene hangingChain(const Knobs&);
 Scene hangingSheet(const Knobs&);
 Scene pendulum(const Knobs&);
 Scene sampler(const Knobs&);
+Scene sheetOnSphere(const Knobs&);
 Scene softPins(const Knobs&);
 Scene stripInWind(const Knobs&);
 Scene unitSpring(const Knobs&);

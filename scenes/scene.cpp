@@ -1,6 +1,7 @@
 #include "scene.h"
 
 #include "basics.h"
+#include "dress.h"
 #include "flag.h"
 
 #include <stdexcept>
@@ -59,6 +60,13 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                     .choices = {"half", "whole"},
                     .text = "half"}},
          .build = hangingChain},
+        {.name = "dress",
+         .title = "Ballerina's dress",
+         .lesson = "Cloth that never passes through itself or the dancer, however she whirls",
+         .ingredients = {"stretch", "shear", "bend", "contact", "friction", "gravity", "air"},
+         .omissions = {"gusts: the air is that of a hall"},
+         .demo = true,
+         .build = dress},
         {.name = "flag",
          .title = "Flag",
          .lesson = "Threads solved whole, warp then weft, keep silk from stretching at any size",
@@ -134,6 +142,24 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                          "field"},
          .omissions = {"nothing: it is a scene for tests"},
          .build = sampler},
+        {.name = "sheet-on-sphere",
+         .title = "Sheet on a sphere",
+         .lesson = "What was apart when a step began is apart when it ends: cloth lies on a ball, "
+                   "and its folds on each other",
+         .ingredients = {"stretch", "shear", "bend", "contact", "friction", "gravity"},
+         .omissions = {"air: it lies still at the end"},
+         .knobs = {{.name = "friction",
+                    .meaning = "of cloth and ball, standing and sliding",
+                    .value = 0.3,
+                    .low = 0,
+                    .high = 1},
+                   {.name = "thickness",
+                    .meaning = "of cloth and ball, to either side",
+                    .unit = "m",
+                    .value = 0.0015,
+                    .low = 0.0002,
+                    .high = 0.01}},
+         .build = sheetOnSphere},
         {.name = "soft-pins",
          .title = "Soft pins",
          .lesson = "A soft pin gives way by load over stiffness",

@@ -19,6 +19,7 @@ struct Scene {
     World world;
     SolverOptions options;
     double seconds = 10;
+    double lead = 0;  // s that pass before the first frame: what falls, settles
     View view;
     std::vector<Metric> metrics;
 };

@@ -6,6 +6,7 @@
 #include "shapes.h"
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,9 @@ struct Camera {
     double focalLength = 50;  // mm
 };
 
-enum class Material { silk, cotton, brass, steel, matte, rubber, wire };
+// A tulle is a net: what lies behind it is seen, and dimmed by each layer; it is to be drawn by
+// triangles. Skin may wear satin where its look says so.
+enum class Material { silk, cotton, brass, steel, matte, rubber, wire, satin, tulle, skin };
 
 // How one object of the world is drawn: its triangles, or its curves as tubes of `radius`.
 struct Look {
@@ -29,6 +32,9 @@ struct Look {
     std::string print = "";                      // "plait": our emblem across the cloth; needs `uv`
     std::vector<std::array<double, 2>> uv = {};  // by vertex of the object; (0, 0) lower left
     double radius = 0.004;                       // m, of curves and points
+    // By vertex of the object; none: `color`, and bare skin.
+    std::vector<std::array<double, 3>> colors = {};  // linear
+    std::vector<double> satin = {};                  // 0 .. 1, how much of it skin wears
 };
 
 // A helical spring, drawn from a place that stays to the middle of a vertex.
@@ -49,8 +55,30 @@ struct Prop {
     std::array<double, 3> color{0.254, 0.216, 0.188};
 };
 
+// The camera goes along with a point, as an operator would who knows the way: its motion is
+// averaged before and after each moment, so that the picture neither shakes nor lags.
+struct Follow {
+    std::function<Vec<double>(double)> point;  // m, at any time (s); none: the camera stays
+    Vec<double> home{0, 0, 0};                 // where it is when the poses hold as they are
+    // Parts of its way, along each axis, that eye and target go.
+    Vec<double> eye{0.7, 0.2, 0.7};
+    Vec<double> target{1, 0.5, 1};
+    double smoothing = 0.8;  // s, before and after
+};
+
+// Light and floor of a theatre; as it is, those of the studio.
+struct Stage {
+    double spot = 0;         // m, radius of the key light's pool around `glowCenter`; 0: everywhere
+    double dim = 0;          // part of the light of backdrop and fill that is off
+    double mirror = 0;       // part of the light that the floor mirrors where it is grazed
+    double mirrorFades = 1;  // m, above the floor, where a mirror image has faded to a third
+    double vignette = 0.12;  // part of the light that the lens loses at the middle of an edge
+    std::array<double, 3> floor{0.254, 0.216, 0.188};  // linear
+};
+
 struct View {
     std::vector<Camera> cameras;  // poses in time; between them the path is smooth
+    Follow follow;                // moves glow and spot as well
     std::vector<Look> looks;
     std::vector<Coil> coils;
     std::vector<Prop> props;
@@ -60,6 +88,7 @@ struct View {
     // A glow of the backdrop behind the subject: its direction is that from camera to this point.
     Vec<double> glowCenter{0, 0, 0};
     double glow = 0.3;
+    Stage stage;
 };
 
 }  // namespace plait

@@ -54,6 +54,15 @@ void travel(View& view, const Vec<double>& velocity) {
     view.glowCenter += 1e6 * (start.target - start.eye);
 }
 
+Stage theatre(double size) {
+    return {.spot = 1.5 * size,
+            .dim = 0.35,
+            .mirror = 0.8,
+            .mirrorFades = 0.4 * size,
+            .vignette = 0.25,
+            .floor = {0.2, 0.175, 0.165}};
+}
+
 void addBar(View& view, const Vec<double>& from, const Vec<double>& to, double radius,
             Material material) {
     const double l = length(to - from);

@@ -19,6 +19,9 @@ View viewOf(const std::vector<Range>& objects, const Vec<double>& middle, double
 // ground, which would stay behind.
 void travel(View& view, const Vec<double>& velocity);
 
+// A dark hall with a spotlight on a subject of this size (m), over a floor that mirrors faintly.
+Stage theatre(double size);
+
 // A round bar with flat ends.
 void addBar(View& view, const Vec<double>& from, const Vec<double>& to, double radius,
             Material material);

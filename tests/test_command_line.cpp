@@ -2,6 +2,7 @@
 #include "catch.h"
 #include "program.h"
 #include "scene.h"
+#include "small_scenes.h"
 
 #include <algorithm>
 
@@ -113,6 +114,7 @@ TEST_CASE("wrong words are refused in one line: what, allowed, nearest", "[progr
     refuses({"check", "no-such-place"}, 2, {"'no-such-place'", "nearest"});
     refuses({"render", "no-such-place"}, 5, {"no-such-place", "holds no run"});
     refuses({"compare", "no.png", "such.png"}, 5, {"no.png"});
+    refuses({"run", "flag", "--set", "mesh=no-such.obj"}, 5, {"no-such.obj:0: no such file"});
 }
 
 TEST_CASE("options come in any order", "[program]") {
@@ -147,7 +149,7 @@ namespace {
 
 void checkAll(const std::string& quality) {
     const TemporaryFolder folder;
-    for (const SceneEntry& entry : scenes()) {
+    for (const SceneEntry& entry : smallScenes()) {
         const Outcome check = plait::test::plait(folder, {"check", entry.name, "-q", quality});
         INFO(entry.name << "\n" << check.out << check.err);
         CHECK(check.status == 0);

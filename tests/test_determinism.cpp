@@ -8,10 +8,12 @@
 
 #include "catch.h"
 #include "scene.h"
+#include "small_scenes.h"
 #include "solver.h"
 #include "stencils.h"
 
 using namespace plait;
+using namespace plait::test;
 
 namespace {
 
@@ -38,7 +40,7 @@ std::vector<KernelChoice> everyChoice() {
 }  // namespace
 
 TEST_CASE("determinism: lanes and instruction sets", "[determinism]") {
-    for (const SceneEntry& entry : scenes()) {
+    for (const SceneEntry& entry : smallScenes()) {
         const Scene scene = build(entry, Quality::draft);
         const std::uint64_t expected = hashAfter<float>(scene, 1, {Isa::v2, 1});
         const std::uint64_t expectedDouble = hashAfter<double>(scene, 1, {Isa::v2, 1});
@@ -51,7 +53,7 @@ TEST_CASE("determinism: lanes and instruction sets", "[determinism]") {
 }
 
 TEST_CASE("determinism: threads", "[determinism][threads]") {
-    for (const SceneEntry& entry : scenes()) {
+    for (const SceneEntry& entry : smallScenes()) {
         const Scene scene = build(entry, Quality::draft);
         const std::uint64_t expected = hashAfter<float>(scene, 1, bestKernels());
         for (const int threads : {1, 2, 3, 8}) {
@@ -87,7 +89,7 @@ TEMPLATE_TEST_CASE("determinism: threads on a large sheet", "[determinism][threa
 }
 
 TEST_CASE("determinism: a run that is rewound is the run again", "[determinism]") {
-    for (const SceneEntry& entry : scenes()) {
+    for (const SceneEntry& entry : smallScenes()) {
         const Scene scene = build(entry, Quality::draft);
         Solver<float> solver(scene.world, scene.options);
         const std::uint64_t start = solver.hash();

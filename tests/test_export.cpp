@@ -2,8 +2,10 @@
 #include "catch.h"
 #include "export.h"
 #include "mesh_file.h"
+#include "mesh_sequence.h"
 #include "program.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -85,6 +87,29 @@ TEST_CASE("PC2 holds every point of every frame", "[program]") {
         CHECK(points[3 * i + 2] == float(last.positions[i].z));
     }
     CHECK(same(readMesh(run.exportPath("points.obj")).positions, run.frame(0).positions));
+}
+
+TEST_CASE("an exported run moves a world again", "[program][sequence]") {
+    for (const std::string format : {"obj", "ply", "pc2"}) {
+        const TemporaryFolder folder;
+        exportTo(folder, format);
+        const RunFolder run(folder / "run");
+        const MeshSequence sequence(run.exportPath(format == "pc2" ? "points.pc2" : "*." + format),
+                                    {.smooth = false});
+        REQUIRE(sequence.count() == 6);
+        const SimplicialComplex complex = run.run().scene.world.complex;
+        CHECK(triangles(sequence.first().complex) == triangles(complex));
+        for (int i = 0; i <= 5; ++i) {
+            const std::vector<Vec<double>> expected = run.frame(i).positions;
+            std::vector<Vec<double>> x(expected.size());
+            sequence(i / 24.0, x);
+            double most = 0;
+            for (std::size_t v = 0; v < x.size(); ++v)
+                most = std::max(most, length(x[v] - expected[v]));
+            // Floats of up to 2 m, in three coordinates.
+            CHECK(most <= 0x1p-23);
+        }
+    }
 }
 
 TEST_CASE("a run that is done is exported without being simulated again", "[program]") {

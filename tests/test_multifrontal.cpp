@@ -1,7 +1,6 @@
 // Multifrontal Cholesky against Eigen's sparse factors in double, its guard, and its bits.
-#include "block_system.h"
+#include "block_check.h"
 #include "catch.h"
-#include "report.h"
 
 #include <algorithm>
 #include <chrono>
@@ -16,56 +15,8 @@ using namespace plait::test;
 
 namespace {
 
-struct Solved {
-    Factored factored;
-    Vectors x;
-};
-
-Solved solved(const System& system, int threads = 1, const MultifrontalOptions& options = {}) {
-    Multifrontal factors(system.rest, system.edges, system.pinned, options);
-    Workers workers(threads);
-    const Factored factored = factors.factor(system.vertexBlocks, system.edgeBlocks, workers);
-    Vectors x = system.b;
-    factors.solve(x, workers);
-    return {factored, x};
-}
-
-using Factors = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>;
-
-// Largest eigenvalues of a matrix and of its inverse, by the power method.
-struct Norms {
-    double matrix, inverse;
-};
-
-Norms normsOf(const Eigen::SparseMatrix<double>& a, const Factors& factors) {
-    Eigen::VectorXd high = Eigen::VectorXd::LinSpaced(a.rows(), 1, 2), low = high;
-    for (Eigen::Index i = 0; i < high.size(); i += 2) high[i] = -high[i];
-    for (int i = 0; i < 50; ++i) {
-        high = a * high.normalized();
-        low = factors.solve(low.normalized());
-    }
-    return {high.norm(), low.norm()};
-}
-
-// Rounding errors of a factorisation add up like steps of a random walk, to sqrt(n) of them (Higham
-// and Mary, "A new approach to probabilistic rounding error analysis", 2019), and count in the
-// solution times the condition of the matrix.
 void checkAgainstEigen(const std::string& name, const System& system, int leaf = 16) {
-    const Eigen::SparseMatrix<double> a = system.matrix();
-    const Factors factors(a);
-    const Eigen::VectorXd b = system.right(), expected = factors.solve(b);
-    const Solved found = solved(system, 1, {.leaf = leaf});
-    Eigen::VectorXd x(b.size());
-    for (std::size_t v = 0; v < system.rest.size(); ++v)
-        x.segment<3>(static_cast<Eigen::Index>(3 * v)) =
-            Eigen::Vector3d(found.x[v].x, found.x[v].y, found.x[v].z);
-    CHECK(found.factored.finite);
-    CHECK(found.factored.frozen == 0);
-    const Norms norms = normsOf(a, factors);
-    const double rounding = 0x1p-24 * std::sqrt(static_cast<double>(b.size()));
-    CHECK(report(name + ", residual", (b - a * x).norm() / (norms.matrix * x.norm()), rounding));
-    CHECK(report(name + ", error", (x - expected).norm() / expected.norm(),
-                 rounding * norms.matrix * norms.inverse));
+    checkAgainst<Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>>(name, system, leaf);
 }
 
 bool same(const Vectors& a, const Vectors& b) {
@@ -268,7 +219,7 @@ double timeOf(const Body& body) {
 }  // namespace
 
 TEST_CASE("multifrontal: what a factorisation costs", "[.bench]") {
-    for (const int n : {64, 128, 256})
+    for (const int n : {64, 128, 256, 512})
         for (const bool regular : {true, false}) {
             const System system = (regular ? sheet(n, n) : irregular(n, n, 1)).fill(1, 1e-3);
             const auto analysed = [&] {

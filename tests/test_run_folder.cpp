@@ -4,6 +4,7 @@
 #include "random.h"
 #include "report.h"
 #include "simulation.h"
+#include "small_scenes.h"
 #include "solver.h"
 
 #include <csignal>
@@ -53,7 +54,7 @@ void sleepFor(double seconds) {
 }  // namespace
 
 TEST_CASE("a checkpoint goes on with the same bits, in every scene", "[program]") {
-    for (const SceneEntry& entry : scenes())
+    for (const SceneEntry& entry : smallScenes())
         for (const char* precision : {"float", "double"}) {
             INFO(entry.name << ", " << precision);
             const Run run =

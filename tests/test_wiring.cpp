@@ -4,6 +4,7 @@
 #include "forces/field.h"
 #include "report.h"
 #include "scene.h"
+#include "small_scenes.h"
 #include "worlds.h"
 
 #include <cmath>
@@ -117,7 +118,7 @@ TEST_CASE("wiring: a world tells of values out of range, and runs [FH15]", "[wir
 }
 
 TEST_CASE("wiring: the work counted is that of the log, sets by sweeps", "[wiring]") {
-    for (const SceneEntry& entry : scenes()) {
+    for (const SceneEntry& entry : smallScenes()) {
         const Scene scene = build(entry, Quality::draft);
         for (const Sweeps sweeps : {Sweeps::palindrome, Sweeps::oneWay}) {
             SolverOptions options = scene.options;

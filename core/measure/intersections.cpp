@@ -27,6 +27,8 @@ bool pierces(const Vec<double>& p, const Vec<double>& q, const Vec<double>& a, c
     return bc * ca >= 0 && ca * ab >= 0;
 }
 
+}  // namespace
+
 std::vector<std::array<int, 2>> edgesOf(std::span<const std::array<int, 3>> triangles) {
     std::vector<std::array<int, 2>> edges;
     edges.reserve(3 * triangles.size());
@@ -39,8 +41,6 @@ std::vector<std::array<int, 2>> edgesOf(std::span<const std::array<int, 3>> tria
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     return edges;
 }
-
-}  // namespace
 
 std::vector<Intersection> findIntersections(std::span<const Vec<double>> positions,
                                             std::span<const std::array<int, 2>> edges,
@@ -77,6 +77,14 @@ int countIntersections(std::span<const Vec<double>> positions,
                        std::span<const std::array<int, 3>> triangles) {
     checkIndices(triangles, positions.size());
     return countIntersections(positions, edgesOf(triangles), triangles);
+}
+
+int countCrossings(std::span<const Vec<double>> positions, std::span<const std::array<int, 3>> a,
+                   std::span<const std::array<int, 3>> b) {
+    checkIndices(a, positions.size());
+    checkIndices(b, positions.size());
+    return countIntersections(positions, edgesOf(a), b) +
+           countIntersections(positions, edgesOf(b), a);
 }
 
 }  // namespace plait

@@ -1,4 +1,4 @@
-// Self-intersections of a soup of triangles and edges, counted exactly: how tangled a state is.
+// Intersections of a soup of triangles and edges, counted exactly: how tangled a state is.
 // Independent of the solver's and of the collision code; decided by signs of orientation.h alone.
 #pragma once
 
@@ -39,5 +39,13 @@ int countIntersections(std::span<const Vec<double>> positions,
 // The same for the triangles' own edges, each taken once.
 int countIntersections(std::span<const Vec<double>> positions,
                        std::span<const std::array<int, 3>> triangles);
+
+// How often two surfaces cross, such as a body and a cloth: edges of either through triangles of
+// the other.
+int countCrossings(std::span<const Vec<double>> positions, std::span<const std::array<int, 3>> a,
+                   std::span<const std::array<int, 3>> b);
+
+// The sides of triangles, the lower index first, each once, ascending.
+std::vector<std::array<int, 2>> edgesOf(std::span<const std::array<int, 3>> triangles);
 
 }  // namespace plait

@@ -1,6 +1,7 @@
 #include "global.h"
 
 #include "../multifrontal.h"
+#include "free_pieces.h"
 #include "link_sweeps.h"
 #include "nucleus.h"
 #include "set_roles.h"
@@ -15,11 +16,13 @@ template <class Real>
 class Global : public WholeStep<Real> {
 public:
     Global(const SolverOptions& options, const std::vector<NamedSet<Real>>& sets,
-           State<Real>& state) {
+           State<Real>& state)
+        : free_(state) {
         const int padding = state.count();
         std::vector<int> ids;
         for (int k = 0; k < static_cast<int>(sets.size()); ++k) {
             sets[k].set->terms(state, false, terms_);
+            free_.join(terms_);
             const bool links = areLinks(terms_, state);
             if (links) ids.insert(ids.end(), terms_.ids.begin(), terms_.ids.end());
             const bool holds = areHolds(terms_);
@@ -28,6 +31,7 @@ public:
             if (contacts) touching_.insert(touching_.end(), terms_.ids.begin(), terms_.ids.end());
             if (holds && areRigid(terms_)) hard_.push_back(k);
         }
+        free_.find(state);
         sweeps_ = std::make_unique<LinkSweeps<Real>>(ids, padding, options.kernels);
         const LinkBlocks<Real>& all = sweeps_->links();
         edgeBlocks_.resize(static_cast<std::size_t>(all.size()));
@@ -48,8 +52,11 @@ public:
         factorisation_ = static_cast<long>(factors_->multiplications() / multiplicationsOfALink);
     }
 
+    void begin(const State<Real>& state) override { free_.noteVelocities(state); }
+
     long take(WholeSubstep<Real>& s) override {
         work_ = 0;
+        free_.noteMeans(s.state);
         readLinks(s);
         for (std::size_t v = 0; v < goal_.size(); ++v) goal_[v] = s.state.particles[v].d;
         sweep(s, {.tolerance = 2e-2, .rounds = 8});
@@ -59,6 +66,7 @@ public:
             move(s);
             sweep(s, {.tolerance = 2e-3, .rounds = 2});
         }
+        free_.keepMomentum(s);
         return work_;
     }
 
@@ -285,6 +293,7 @@ private:
 
     std::vector<int> links_, holds_, contacts_, swept_;  // sets
     std::vector<int> hard_;                              // those of holds_ that are rigid
+    FreePieces<Real> free_;
     std::unique_ptr<LinkSweeps<Real>> sweeps_;
     std::unique_ptr<Multifrontal> factors_;
     std::vector<Vec<Real>> goal_;     // y, as d

@@ -34,6 +34,8 @@ class WholeStep {
 public:
     virtual ~WholeStep() = default;
 
+    // A substep begins: state.velocity is before forces.
+    virtual void begin(const State<Real>& /*state*/) {}
     // Leaves d where the substep ends. Returns the counted work, in constraints evaluated.
     virtual long take(WholeSubstep<Real>& substep) = 0;
     // Marks the vertices that a contact pushed in this substep, besides those that sets mark.

@@ -34,7 +34,7 @@ void clothLight(vec3 v, vec3 n, vec3 tangent, float key, float hollow, float tur
     vec3 hk = normalize(keyDirection + v), hr = normalize(rimDirection + v);
     diffuse = hemisphere(n) * open +
               (keyLight * wrapped(nk, wrap) + .6 * rimColor * wrapped(nr, wrap) +
-               fillColor * wrapped(nf, .5)) * partly +
+               bright * fillColor * wrapped(nf, .5)) * partly +
               finish.w * (keyLight * max(-nk, 0.0) + rimColor * max(-nr, 0.0)) +
               pi * finish.x * (keyLight * sheen(dot(n, hk), max(nk, 0.0), nv) +
                                rimColor * sheen(dot(n, hr), max(nr, 0.0), nv));

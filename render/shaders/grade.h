@@ -38,7 +38,7 @@ void main() {
 inline constexpr const char* gradeShader = R"glsl(#version 330 core
 uniform sampler2D scene, bloom;
 uniform vec2 size;
-uniform float exposure;
+uniform float exposure, vignette;
 out vec4 result;
 
 // Khronos PBR Neutral: colours keep their hue, only what is nearly white is compressed.
@@ -70,7 +70,7 @@ void main() {
     vec2 pixel = vec2(gl_FragCoord.x, size.y - gl_FragCoord.y);
     vec2 place = pixel / size, edge = 2.0 * place - 1.0;
     vec3 c = texelFetch(scene, ivec2(pixel), 0).rgb + .1 * texture(bloom, place).rgb;
-    c = encode(neutral(c * exposure * (1.0 - .12 * dot(edge, edge))));
+    c = encode(neutral(c * exposure * (1.0 - vignette * dot(edge, edge))));
     uvec2 p = uvec2(gl_FragCoord.xy);
     c += 1.5 / 255.0 * vec3(noise(p, 0u), noise(p, 1u), noise(p, 2u));
     result = vec4(c, 1);

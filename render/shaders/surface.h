@@ -14,9 +14,11 @@ layout(location = 2) in vec3 tangent;
 layout(location = 3) in vec2 uv;
 layout(location = 4) in vec3 tint;
 layout(location = 5) in float cavity;
+layout(location = 6) in float satin;
 uniform mat4 camera;
+uniform float lowest;
 uniform float thickness;  // each side of a cloth stands off by half of it
-out vec3 overlayTint;
+out vec3 vertexTint;
 out vec2 cloth;
 #ifdef SMALL
 uniform float facet;  // m, between vertices
@@ -25,10 +27,16 @@ centroid out vec3 frontDiffuse, frontShine, backDiffuse, backShine;
 centroid out vec3 P, N, T;
 out vec2 vertexShade;
 #endif
+#ifdef TULLE
+centroid out vec3 frontDiffuse, frontShine;
+#endif
+#ifdef SKIN
+out float vertexSatin;
+#endif
 void main() {
     vec3 p = position + normal * sign(dot(normal, eye - position)) * thickness;
     cloth = uv;
-    overlayTint = tint;
+    vertexTint = tint;
 #ifdef SMALL
     vec3 v = normalize(eye - p);
     float key = keyVisible(p, normal), turn = .5 * square(cavity * facet);
@@ -39,17 +47,23 @@ void main() {
     N = normal;
     T = tangent;
     vertexShade = vec2(1, cavity);
-#ifdef FINE
+#ifdef SKIN
+    vertexSatin = satin;
+#endif
+#ifdef TULLE
+    tulleLight(normalize(eye - p), normal, tangent, keyVisible(p, normal), frontDiffuse, frontShine);
+#elif defined FINE
     vertexShade.x = keyVisible(P, normal);
 #endif
 #endif
     gl_Position = camera * vec4(p, 1);
+    gl_ClipDistance[0] = p.y - lowest;
 }
 )glsl";
 
 // Follows stageShader.
 inline constexpr const char* reflectionShader = R"glsl(
-vec3 hemisphere(vec3 n) { return mix(floorColor, skyColor, .5 + .5 * n.y); }
+vec3 hemisphere(vec3 n) { return bright * mix(floorColor, skyColor, .5 + .5 * n.y); }
 
 float wrapped(float nl, float w) { return square(max(nl + w, 0.0) / (1.0 + w)); }
 
@@ -62,7 +76,7 @@ vec3 turned(vec3 n, vec3 v) { return normalize(n + v * max(.05 - dot(n, v), 0.0)
 // Follows reflectionShader; in front of a family's own text.
 inline constexpr const char* surfaceShader = R"glsl(
 uniform vec3 color;
-in vec3 overlayTint;
+in vec3 vertexTint;
 in vec2 cloth;
 out vec4 result;
 
@@ -89,7 +103,7 @@ float keyLight(vec3 n) {
 }
 
 // How much of the sky is open.
-float openness() { return mix(.55, 1.0, visible(skyWide, (skyMatrix * vec4(P, 1)).xyz, .02)); }
+float openness() { return mix(.55, 1.0, skyVisible(P)); }
 
 // GGX with half vector h, without masking.
 float lobe(vec3 n, vec3 h, float nl, float alpha2) {
@@ -99,10 +113,14 @@ float lobe(vec3 n, vec3 h, float nl, float alpha2) {
 #endif
 
 #ifdef OVERLAY
-vec3 surfaceColor() { return overlayTint; }
+vec3 surfaceColor() { return vertexTint; }
 vec3 blend(vec3 base, vec3 diffuse, vec3 shine) { return base * (.45 + .5 * diffuse) + .05 * shine; }
 #else
+#ifdef COLORS
+vec3 surfaceColor() { return vertexTint; }
+#else
 vec3 surfaceColor() { return color; }
+#endif
 vec3 blend(vec3 base, vec3 diffuse, vec3 shine) { return base * diffuse + shine; }
 #endif
 )glsl";
@@ -137,7 +155,7 @@ void main() {
     float alpha2 = square(square(finish.y)) + spread(n);
     vec3 turn = mix(vec3(1), vec3(1, .55, .4), finish.w * (1.0 - smoothstep(-.1, .45, nk)));
     vec3 diffuse = hemisphere(n) * open + keyColor * key * wrapped(nk, finish.z) * turn +
-                   fillColor * wrapped(dot(n, fillDirection), .5) * (.5 + .5 * open) +
+                   bright * fillColor * wrapped(dot(n, fillDirection), .5) * (.5 + .5 * open) +
                    rimColor * max(dot(n, rimDirection), 0.0);
     float fresnel = finish.x * (1.0 + 5.0 * fifth(1.0 - max(dot(n, v), 0.0)));
     vec3 shine = keyColor * key * lobe(n, normalize(keyDirection + v), nk, alpha2) +

@@ -1,0 +1,103 @@
+// The last word of a substep: what still crosses.
+#include "contact_set.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace plait {
+namespace {
+
+constexpr int innerPasses = 5;  // M 4.2
+
+}  // namespace
+
+// Adds the pair if its paths cross; particles and curves, which never quite do, if they come within
+// a quarter of their gap.
+template <class Real>
+void ContactSet<Real>::check(const Pairing& pair, std::vector<Contact>& list) const {
+    const auto& v = pair.vertices;
+    const PairPoints start = startOf(pair);
+    const PairPoints end{end_[v[0]], end_[v[1]], end_[v[2]], end_[v[3]]};
+    if (!mayMeet(pair, start, end, 0)) return;
+    const Nearest now = nearest(pair, start);
+    const double distance = length(now.apart), gap = gapOf(pair, now);
+    const bool thin = pair.first + pair.second == 4;
+    const double thickness = thin ? 0 : 0.25 * std::min(gap, distance);
+    if (distance == 0 || !movesBy(distance - thickness, pair, start, end)) return;
+    if (impactOf(pair, start, end, thickness))
+        list.push_back({.pair = pair, .distance = distance, .gap = gap});
+}
+
+// No vertex is further from where it was heading than contacts reach: what crosses is among them.
+template <class Real>
+bool ContactSet<Real>::asForeseen(Workers& workers) const {
+    if (!ready_) return false;
+    std::atomic<bool> all{true};
+    workers.forBlocks(static_cast<int>(end_.size()), 1024, [&](int begin, int end) {
+        for (int v = begin; v < end; ++v) {
+            const Vec<double> d = end_[v] - heading_[v];
+            if (!(4 * dot(d, d) < slack_ * slack_)) all = false;
+        }
+    });
+    return all;
+}
+
+// Replaces crossing_ by the pairs whose paths cross.
+template <class Real>
+void ContactSet<Real>::cross(const Sweep<Real>& sweep, Workers& workers) {
+    locate(sweep, workers);
+    if (asForeseen(workers)) {
+        parts_.resize(std::max(parts_.size(), std::size_t(1)));
+        for (auto& part : parts_) part.clear();
+        for (int i = 0; i < foreseen_; ++i) check(contacts_[i].pair, parts_[0]);
+    } else {
+        counts_.searches += search_.cover(start_, end_, slack_, workers);
+        search_.collect(
+            parts_, 0.5 * slack_, workers,
+            [&](const Pairing& pair, std::vector<Contact>& list) { check(pair, list); });
+    }
+    gather(crossing_);
+    counts_.impacts += static_cast<long>(crossing_.size());
+}
+
+template <class Real>
+void ContactSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
+    cross(sweep, workers);
+    for (int pass = 0; pass < innerPasses && !crossing_.empty(); ++pass) {
+        for (Contact& c : crossing_) part(sweep, c);
+        contacts_.insert(contacts_.end(), crossing_.begin(), crossing_.end());
+        ++counts_.passes;
+        cross(sweep, workers);
+    }
+    while (!crossing_.empty()) {
+        const int held = putBack(sweep);
+        contacts_.insert(contacts_.end(), crossing_.begin(), crossing_.end());
+        if (held == 0) {
+            counts_.failed += static_cast<long>(crossing_.size());
+            return;
+        }
+        counts_.heldBack += held;
+        cross(sweep, workers);
+    }
+}
+
+// What crosses goes back to where the substep began. Returns how many vertices that moves.
+template <class Real>
+int ContactSet<Real>::putBack(const Sweep<Real>& sweep) {
+    int held = 0;
+    for (Contact& c : crossing_)
+        for (const int v : c.pair.vertices) {
+            Real* const d = sweep.particles + 8 * v + 4;
+            const Real* const b = sweep.before + 4 * v;
+            if (pinned_[v] || (d[0] == b[0] && d[1] == b[1] && d[2] == b[2])) continue;
+            std::copy_n(b, 3, d);
+            c.push = 1;  // pushed, for those who ask
+            ++held;
+        }
+    return held;
+}
+
+template class ContactSet<float>;
+template class ContactSet<double>;
+
+}  // namespace plait

@@ -1,0 +1,111 @@
+// The set of all contacts of some surfaces (S 7): simplices stay their thicknesses apart, with
+// friction, and never pass through each other.
+//
+// A substep: pairs that may come near become contacts, sorted and coloured (prepare). Every
+// evaluation asks each of them anew where the two are nearest, or, where they may have passed each
+// other on the way, when and where they met (touch), and parts them as they were before (part).
+// After the last column all paths are looked at once more (finish): what still crosses is parted in
+// up to five passes, and what crosses even then is put back to where the substep began, which was
+// free of crossings, so that the next one begins free of them too. Only matter that is moved from
+// outside can break that; such vertices are counted as failed.
+//
+// Which contacts there are depends on where everything is and is heading, not on when pairs were
+// last looked for: a run that is resumed has the same bits.
+#pragma once
+
+#include "../constraint.h"
+#include "impacts.h"
+#include "pair_search.h"
+
+#include <memory>
+
+namespace plait {
+
+struct World;
+
+// What contacts did since the solver was made.
+struct ContactCounts {
+    long searches = 0;  // for pairs
+    long pairs = 0;     // in the list, at most
+    long contacts = 0;  // in a substep, at most
+    long bounces = 0;   // off what has restitution
+    long impacts = 0;   // times at which paths were asked for
+    long passes = 0;    // over what crossed after the last column
+    long heldBack = 0;  // vertices put back to where they were
+    long failed = 0;    // pairs that cross all the same
+};
+
+template <class Real>
+class ContactSet : public Constraint<Real> {
+public:
+    ContactSet(const World& world, const std::vector<Surface>& surfaces,
+               const ContactOptions& options);
+
+    void begin(const Substep& substep, Workers& workers) override;
+    void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override;
+    void finish(const Sweep<Real>& sweep, Workers& workers) override;
+    void strike(const Sweep<Real>& sweep, const State<Real>& state, Workers& workers) override;
+    void rebound(State<Real>& state) const override;
+    void markTouched(std::vector<std::uint8_t>& touched) const override;
+    long size() const override { return static_cast<long>(contacts_.size()); }
+
+    const ContactCounts& counts() const { return counts_; }
+
+private:
+    static constexpr int colorLimit = 64;  // contacts beyond run one by one
+
+    struct Contact {
+        Pairing pair;
+        int color = 0;
+        double distance;     // m, where the substep begins
+        double gap;          // m, to be kept
+        double push = 0;     // multiplier across, kg m
+        Vec<double> grip{};  // multiplier along, kg m
+    };
+    // Where two touch, and the way from the second to the first.
+    struct Touch {
+        std::array<double, 4> weight;
+        Vec<double> normal;
+        double value;  // m, C: distance less gap, below 0 also where they passed each other
+    };
+
+    void locate(const Sweep<Real>& sweep, Workers& workers);
+    void prepare(const Sweep<Real>& sweep, Workers& workers);
+    void consider(const Pairing& pair, std::vector<Contact>& list) const;
+    double gapOf(const Pairing& pair, const Nearest& now) const;
+    void bend(const Sweep<Real>& sweep, const State<Real>& state);
+    void colour();
+    PairPoints startOf(const Pairing& pair) const;
+    PairPoints endOf(const Sweep<Real>& sweep, const Pairing& pair) const;
+    Touch touch(const Contact& contact, const PairPoints& start, const PairPoints& end) const;
+    void part(const Sweep<Real>& sweep, Contact& contact) const;
+    void check(const Pairing& pair, std::vector<Contact>& list) const;
+    bool asForeseen(Workers& workers) const;
+    void cross(const Sweep<Real>& sweep, Workers& workers);
+    void gather(std::vector<Contact>& list) const;
+    int putBack(const Sweep<Real>& sweep);
+
+    ContactOptions options_;
+    PairSearch search_;
+    std::vector<Vec<double>> rest_, start_, end_, heading_;  // m, by vertex
+    std::vector<unsigned char> pinned_;
+    std::vector<double> inverseMass_;  // 1/kg
+    bool bouncy_ = false;              // something has restitution
+    std::vector<Bounce> bounces_;
+    std::vector<Path> paths_;  // by vertex, of this substep
+    std::vector<int> bent_;    // vertices that bounced
+    std::vector<Contact> contacts_, sorted_, crossing_;
+    std::vector<int> colors_;  // where each colour begins in contacts_
+    std::vector<std::vector<Contact>> parts_;
+    std::vector<std::uint64_t> taken_;  // colours at each vertex
+    double slack_;                      // m, that contacts reach beyond their gap
+    double h_ = 0;                      // s
+    bool ready_ = false;                // contacts_ are those of this substep
+    int foreseen_ = 0;                  // contacts as they were found; what crossed follows
+    ContactCounts counts_;
+};
+
+extern template class ContactSet<float>;
+extern template class ContactSet<double>;
+
+}  // namespace plait

@@ -1,0 +1,172 @@
+#include "pair_search.h"
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+namespace plait {
+
+PairSearch::PairSearch(const SimplicialComplex& complex, std::vector<Surface> surfaces,
+                       std::span<const unsigned char> pinned, double margin)
+    : surfaces_(std::move(surfaces)),
+      surface_(complex.count(0), -1),
+      thickness_(complex.count(0), 0),
+      pinned_(pinned.begin(), pinned.end()),
+      margin_(margin) {
+    for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+        const Surface& of = surfaces_[s];
+        for (int v = of.vertices.first; v < of.vertices.last; ++v) {
+            surface_[v] = static_cast<int>(s);
+            thickness_[v] = of.radii.empty() ? of.thickness : of.radii[v - of.vertices.first];
+            members_.push_back(v);
+        }
+    }
+    for (auto& side : groups_)
+        for (const auto& [kind, arity] :
+             {std::pair{points, 1}, {edges, 2}, {triangles, 3}, {curves, 2}, {grains, 1}})
+            side[kind].arity = arity;
+    const std::vector<int> fans = complex.valences(0), wings = complex.valences(1);
+    for (int v = 0; v < complex.count(0); ++v)
+        add(fans[v] ? points : grains, complex.vertices(0, v));
+    for (int e = 0; e < complex.count(1); ++e) {
+        add(edges, complex.vertices(1, e));
+        if (!wings[e]) add(curves, complex.vertices(1, e));
+    }
+    for (int t = 0; t < complex.count(2); ++t) add(triangles, complex.vertices(2, t));
+    mayMeet(points, triangles);
+    mayMeet(edges, edges);
+    mayMeet(grains, triangles);
+    mayMeet(grains, curves);
+    mayMeet(grains, grains);
+}
+
+// A simplex belongs to the surface of all its vertices, and is pinned if they all are.
+void PairSearch::add(Kind kind, std::span<const int> ids) {
+    bool fixed = true;
+    for (const int v : ids) {
+        if (surface_[v] < 0 || surface_[v] != surface_[ids[0]]) return;
+        fixed = fixed && pinned_[v];
+    }
+    std::vector<int>& table = groups_[fixed][kind].ids;
+    table.insert(table.end(), ids.begin(), ids.end());
+}
+
+void PairSearch::mayMeet(Kind a, Kind b) {
+    for (const auto& [i, j] : {std::pair{0, 0}, {0, 1}, {1, 0}}) {
+        const Group &first = groups_[i][a], &second = groups_[j][b];
+        if ((a == b && i > j) || first.count() == 0 || second.count() == 0) continue;
+        meetings_.push_back({&first, &second, {}});
+    }
+}
+
+bool PairSearch::accepts(std::span<const int> a, std::span<const int> b) const {
+    if (surface_[a[0]] == surface_[b[0]] && !surfaces_[surface_[a[0]]].self) return false;
+    for (const int v : a)
+        for (const int u : b)
+            if (u == v) return false;
+    return true;
+}
+
+bool PairSearch::inside(std::span<const Vec<double>> at, Workers& workers) const {
+    std::atomic<bool> all{true};
+    workers.forBlocks(static_cast<int>(members_.size()), 1024, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            const int v = members_[i];
+            const Vec<double> a = at[v] - from_[v], b = at[v] - to_[v];
+            if (!(std::min(dot(a, a), dot(b, b)) <= used_ * used_)) all = false;
+        }
+    });
+    return all;
+}
+
+bool PairSearch::cover(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
+                       double slack, Workers& workers) {
+    const bool known = meetings_.empty() || !from_.empty();
+    const bool same = known && inside(start, workers) && inside(end, workers);
+    if (!same) search(start, end, slack, workers);
+    follow(start, end, workers);
+    return !same;
+}
+
+void PairSearch::follow(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
+                        Workers& workers) {
+    Vec<double> mean{};
+    for (const int v : members_) mean += start[v] - from_[v];
+    mean = (1 / std::max(1.0, static_cast<double>(members_.size()))) * mean;
+    strayed_.resize(from_.size());
+    workers.forBlocks(static_cast<int>(members_.size()), 1024, [&](int first, int last) {
+        for (int i = first; i < last; ++i) {
+            const int v = members_[i];
+            const Vec<double> home = from_[v] + mean;
+            strayed_[v] = static_cast<float>(
+                (1 + 1e-6) * (2 * length(start[v] - home) + length(end[v] - home)) + 1e-12);
+        }
+    });
+}
+
+void PairSearch::measure(Workers& workers) {
+    for (Meeting& m : meetings_) {
+        const auto pairs = m.found.pairs();
+        m.apart.resize(pairs.size());
+        workers.forBlocks(static_cast<int>(pairs.size()), 1024, [&](int begin, int end) {
+            for (int i = begin; i < end; ++i) {
+                const Pairing pair = pairing(m, pairs[i]);
+                std::array<Vec<double>, 4> x;
+                for (std::size_t n = 0; n < 4; ++n) x[n] = from_[pair.vertices[n]];
+                const double apart = length(nearest(pair, x).apart);
+                m.apart[i] = static_cast<float>((1 - 1e-6) * apart - 1e-12);
+            }
+        });
+    }
+}
+
+void PairSearch::search(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
+                        double slack, Workers& workers) {
+    from_.assign(start.begin(), start.end());
+    to_.assign(end.begin(), end.end());
+    double fastest = 0;
+    for (const int v : members_) fastest = std::max(fastest, length(end[v] - start[v]));
+    used_ = std::clamp(4 * fastest, 0.1 * margin_, margin_);
+    Travel travel{.start = start, .end = end};
+    for (const Vec<double>& x : start.first(1)) travel.origin = x;
+    for (auto& side : groups_)
+        for (Group& group : side) {
+            if (group.count() == 0) continue;
+            const auto bound = [&](int i) {
+                Travel of = travel;
+                for (const int v : group.at(i)) of.radius = std::max(of.radius, thickness_[v]);
+                of.radius += 0.5 * slack + used_;
+                return sweptBounds<slabs>(group.at(i), of);
+            };
+            if (group.tree)
+                group.tree->refit(bound, workers);
+            else
+                group.tree = std::make_unique<KDopTree<slabs>>(group.count(), bound, workers);
+        }
+    for (Meeting& m : meetings_) {
+        const auto accept = [&](int i, int j) { return accepts(m.a->at(i), m.b->at(j)); };
+        if (m.a == m.b)
+            m.a->tree->selfPairs(m.found, workers, accept);
+        else
+            m.a->tree->pairs(*m.b->tree, m.found, workers, accept);
+    }
+    measure(workers);
+}
+
+Pairing PairSearch::pairing(const Meeting& meeting, const Candidate& candidate) {
+    const auto a = meeting.a->at(candidate.a), b = meeting.b->at(candidate.b);
+    Pairing pair{{}, meeting.a->arity, meeting.b->arity};
+    int n = 0;
+    for (const int v : a) pair.vertices[n++] = v;
+    for (const int v : b) pair.vertices[n++] = v;
+    for (; n < 4; ++n) pair.vertices[n] = b.back();
+    return pair;
+}
+
+long PairSearch::size() const {
+    long sum = 0;
+    for (const Meeting& m : meetings_) sum += static_cast<long>(m.found.pairs().size());
+    return sum;
+}
+
+}  // namespace plait

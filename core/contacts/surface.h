@@ -1,0 +1,51 @@
+// Matter that meets matter, and on which terms.
+//
+// In core/contacts is what keeps simplices apart: who may meet (Surface), who is near (PairSearch),
+// where two are nearest (nearest.h), and the set of constraints that parts them (ContactSet). When
+// paths cross is in core/collision; whether anything did cross is counted by core/measure, which
+// uses none of this.
+#pragma once
+
+#include "../shapes.h"
+
+#include <string>
+#include <vector>
+
+namespace plait {
+
+// All simplices of the complex whose vertices are among these.
+struct Surface {
+    Range vertices;
+    double thickness = 0.001;     // m, from a simplex to its skin: two stay the sum of theirs apart
+    std::vector<double> radii{};  // m, one a vertex in place of the thickness: particles [CC25]
+    // Of a pair the mean counts, at most 1 (M 5.5). Below 0 it adds energy, and is warned of.
+    double staticFriction = 0.1;   // tangent of the steepest slope on which something rests
+    double dynamicFriction = 0.1;  // force along the surface over force across, while sliding
+    double restitution = 0;  // speed apart over speed of approach, 0 to 1 (S 7); of a pair the mean
+    double stickiness = 0;   // N a contact holds before it tears off; of a pair the mean
+    // Of two layers, the lower one yields less (LY2): its mass counts `layerShock` times.
+    int layer = 0;
+    bool self = true;  // meets itself
+};
+
+struct ContactOptions {
+    std::string name = "contacts";
+    int order = 0;
+    int importance = 24;
+    double layerShock = 1;  // 1: layers are alike
+    double recovery = 0.5;  // m/s: how fast what began too near may part; slower than it would fly
+    double bounceThreshold = 0;  // m/s: what approaches more slowly, or at less than 2 g h, does
+                                 // not bounce
+    double margin = 0;  // m of motion until pairs are looked for again; 0: a quarter of the mean
+                        // edge, at least the largest thickness
+};
+
+struct World;
+
+// Adds the set of all contacts of these surfaces with each other and, where they ask for it, with
+// themselves: point and triangle, edge and edge, and particles and curves with all. Call it when
+// all matter has been added and pinned. Throws std::invalid_argument, naming the value, for one out
+// of range.
+void meet(World& world, const std::vector<Surface>& surfaces, const ContactOptions& options = {});
+
+}  // namespace plait

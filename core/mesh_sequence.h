@@ -1,0 +1,52 @@
+// A character's surface as other programs give it: meshes of one topology, one a frame.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "mesh_file.h"
+
+namespace plait {
+
+struct MeshSequenceOptions {
+    double frameRate = 24;  // meshes in a second, above 0
+    double start = 0;       // s, when the first is there; before that it stands still
+    bool smooth = true;     // between meshes: Catmull-Rom, or straight
+};
+
+// Before its first mesh and behind its last a sequence holds still; if smooth, it comes to rest
+// there, and so its velocity is continuous at all times. Copies share what was read.
+class MeshSequence {
+public:
+    // Reads `path`, which is one of two:
+    //
+    // A pattern with one `*` in the name of the files, OBJ or PLY: all that match, by the last
+    // number in what stands for the `*`. Numbers may start and step as they like, but with no gap.
+    //
+    // A PC2 file (point cache 2, as `--export pc2` writes it) beside an OBJ or PLY of the same name
+    // that holds the faces. Samples count by its rate in frames; its own first frame is ignored.
+    //
+    // Throws MeshFileError (mesh_file.h), and std::invalid_argument for a rate or start out of
+    // range. Memory is bounded by a multiple of the files' size.
+    explicit MeshSequence(const std::filesystem::path& path,
+                          const MeshSequenceOptions& options = {});
+
+    const Shape& first() const { return *first_; }
+    int count() const { return static_cast<int>(meshes_->size()); }  // meshes, 1 or more
+    double end() const;                                              // s, when the last is there
+
+    // Where its vertices are at time t (s): an Animation for World::pin. `positions` has one entry
+    // a vertex of first(), in m if the files are.
+    void operator()(double t, std::span<Vec<double>> positions) const;
+
+private:
+    using Meshes = std::vector<std::vector<Vec<double>>>;
+
+    MeshSequenceOptions options_;
+    std::shared_ptr<const Shape> first_;
+    std::shared_ptr<const Meshes> meshes_;
+};
+
+}  // namespace plait

@@ -1,0 +1,80 @@
+// Cloth that lies, hangs and slides on things and on itself.
+#include "basics.h"
+#include "contacts/surface.h"
+#include "forces/gravity.h"
+#include "measures.h"
+#include "stencils.h"
+#include "views.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace plait {
+namespace {
+
+constexpr double unbound = std::numeric_limits<double>::infinity();
+
+// Threads along and across that do not stretch, and a weave of `shear` N/m on the bias. Returns the
+// threads, two vertices a link.
+std::vector<int> weave(World& world, Range cloth, int columns, double shear) {
+    Rows<Stretch> along, across, bias;
+    const Rows<Stretch> edges = restRows<Stretch>(edgeStencils(world.complex, cloth), world.rest);
+    for (std::size_t i = 0; i < edges.rows.size(); ++i) {
+        const int a = edges.ids[2 * i], b = edges.ids[2 * i + 1];
+        const int apart = a < b ? b - a : a - b;
+        Rows<Stretch>& set = apart == 1 ? along : apart == columns ? across : bias;
+        set.ids.insert(set.ids.end(), {a, b});
+        set.rows.push_back(edges.rows[i]);
+    }
+    for (auto& row : bias.rows) row.compliance = row.compression = 1 / (2 * shear);
+    world.strand(along, {.name = "warp"});
+    world.strand(across, {.name = "weft", .order = 1});
+    world.constrain(bias, {.name = "bias", .order = 2});
+    std::vector<int> threads = along.ids;
+    threads.insert(threads.end(), across.ids.begin(), across.ids.end());
+    return threads;
+}
+
+}  // namespace
+
+// 1 m of cotton falls from 5 cm above a ball of 25 cm radius.
+Scene sheetOnSphere(const Knobs& knobs) {
+    Scene scene;
+    World& world = scene.world;
+    const int n = knobs.byQuality(32, 64, 128);
+    constexpr double radius = 0.25;
+    const double friction = knobs.number("friction"), thickness = knobs.number("thickness");
+    const Range cloth =
+        world.add(grid({.columns = n, .rows = n},
+                       {.origin = {-0.5, 0.05, 0.5}, .across = {1, 0, 0}, .up = {0, 0, -1}}),
+                  {.density = 0.15});
+    const Range ball =
+        world.add(sphere({.subdivisions = 4, .radius = radius}, {.origin = {0, -radius, 0}}));
+    world.pin(pointStencils(ball));
+    world.act<Gravity>(GravityOptions{});
+    const std::vector<int> threads = weave(world, cloth, n, 15);
+    world.constrain(bendRows(world.complex, cloth, world.rest, 1e-6), {.name = "bend", .order = 3});
+    const auto surface = [&](Range range, bool self) {
+        return Surface{.vertices = range,
+                       .thickness = thickness,
+                       .staticFriction = friction,
+                       .dynamicFriction = friction,
+                       .self = self};
+    };
+    meet(world, {surface(cloth, true), surface(ball, false)}, {.order = 4});
+    scene.options.schedule = {.substeps = 16, .iterations = 2, .collisionPasses = 2};
+    scene.options.damping = 0.05;
+    scene.seconds = 4;
+    scene.metrics = {greatestStrain(world, threads, {0, unbound}),
+                     commonStrain(world, threads, {0, unbound}),
+                     selfIntersections(world, {cloth.first, ball.last}, {0, 0})};
+    View& view = scene.view;
+    view = viewOf({cloth, ball}, {0, -0.2, 0}, 1.15, Material::cotton, {1.0, 0.75, 2.2});
+    view.looks[1].material = Material::matte;
+    view.looks[1].color = {0.254, 0.216, 0.188};
+    view.groundHeight = -0.75;
+    addBar(view, {0, -0.75, 0}, {0, -0.45, 0}, 0.03, Material::steel);
+    return scene;
+}
+
+}  // namespace plait

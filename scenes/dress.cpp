@@ -1,0 +1,239 @@
+#include "dress.h"
+
+#include "ballerina.h"
+#include "contacts/surface.h"
+#include "elementary.h"
+#include "forces/air.h"
+#include "forces/gravity.h"
+#include "measure/penetration.h"
+#include "measures.h"
+#include "stencils.h"
+#include "views.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plait {
+namespace {
+
+constexpr double lead = 1.5;  // s, in which the skirt falls before the film begins
+
+// A layer of the skirt: a ring cut from cloth that lies flat, sewn to the waist along its inside.
+struct Layer {
+    int threads, rings;     // of vertices, around and from the waist to the hem
+    double length;          // m, from waist to hem
+    double clearance;       // m, of its upper edge from the body
+    double density;         // kg/m^2
+    double rigidity;        // N m, of bending
+    double shearStiffness;  // N/m
+    double steepness;       // rad, between its threads at the start and the spine
+    Material material;
+    std::array<double, 3> color;
+};
+
+// Where the upper edge runs, in the frame of the waist: an ellipse, angles as seen from above.
+Vec<double> waistline(const Layer& layer, double angle) {
+    return {(Ballerina::waistWidth / 2 + layer.clearance) * cosine(angle), 0,
+            (Ballerina::waistDepth / 2 + layer.clearance) * sine(angle)};
+}
+
+Vec<double> placed(const Frame& frame, const Vec<double>& x) {
+    return frame.origin + x.x * frame.across + x.y * frame.up + x.z * cross(frame.across, frame.up);
+}
+
+// Flat: its inside is as long as the waistline.
+Shape patternOf(const Layer& layer) {
+    double around = 0;
+    for (int i = 0; i < layer.threads; ++i)
+        around += length(waistline(layer, 2 * pi * (i + 1) / layer.threads) -
+                         waistline(layer, 2 * pi * i / layer.threads));
+    Simplices cells;
+    std::vector<Vec<double>> flat;
+    for (int r = 0; r < layer.rings; ++r)
+        for (int i = 0; i < layer.threads; ++i) {
+            const double radius = around / (2 * pi) + layer.length * r / (layer.rings - 1);
+            const double angle = 2 * pi * i / layer.threads;
+            flat.push_back({radius * cosine(angle), 0, radius * sine(angle)});
+            if (r + 1 == layer.rings) continue;
+            const int a = r * layer.threads + i, b = r * layer.threads + (i + 1) % layer.threads;
+            const int c = a + layer.threads, d = b + layer.threads;
+            // Seen from above, where angles run clockwise.
+            if ((i + r) % 2) {
+                cells.triangles.push_back({a, b, d});
+                cells.triangles.push_back({a, d, c});
+            } else {
+                cells.triangles.push_back({a, b, c});
+                cells.triangles.push_back({b, d, c});
+            }
+        }
+    return {SimplicialComplex(static_cast<int>(flat.size()), cells), flat};
+}
+
+// Every thread from waist to hem straight, in directions that wave about a cone so that they are as
+// far apart as on the pattern.
+std::vector<Vec<double>> hung(const Layer& layer, const Frame& waist) {
+    constexpr int pleats = 12;
+    const double steep = sine(layer.steepness);
+    const double wave = std::sqrt(2 * (1 - steep * steep)) / pleats;
+    std::vector<Vec<double>> start;
+    for (int r = 0; r < layer.rings; ++r)
+        for (int i = 0; i < layer.threads; ++i) {
+            const double angle = 2 * pi * i / layer.threads;
+            const double polar = layer.steepness + wave * cosine(pleats * angle);
+            const Vec<double> out{cosine(angle), 0, sine(angle)};
+            const Vec<double> along = sine(polar) * out + Vec<double>{0, -cosine(polar), 0};
+            const double way = layer.length * r / (layer.rings - 1);
+            start.push_back(placed(waist, waistline(layer, angle) + way * along));
+        }
+    return start;
+}
+
+// Threads that do not stretch, around and down, and a weave that gives way on the bias. Returns the
+// threads, two vertices a link.
+std::vector<int> weave(World& world, Range cloth, const Layer& layer, const std::string& name) {
+    Rows<Stretch> around, down, bias;
+    const Rows<Stretch> edges = restRows<Stretch>(edgeStencils(world.complex, cloth), world.rest);
+    for (std::size_t i = 0; i < edges.rows.size(); ++i) {
+        const int a = edges.ids[2 * i] - cloth.first, b = edges.ids[2 * i + 1] - cloth.first;
+        const bool sameRing = a / layer.threads == b / layer.threads;
+        const bool sameThread = a % layer.threads == b % layer.threads;
+        if (sameRing && a < layer.threads) continue;  // sewn on
+        Rows<Stretch>& set = sameRing ? around : sameThread ? down : bias;
+        set.ids.insert(set.ids.end(), {edges.ids[2 * i], edges.ids[2 * i + 1]});
+        set.rows.push_back(edges.rows[i]);
+    }
+    for (auto& row : bias.rows) row.compliance = row.compression = 1 / (2 * layer.shearStiffness);
+    world.strand(down, {.name = name + " threads"});
+    world.strand(around, {.name = name + " rings", .order = 1});
+    world.constrain(bias, {.name = name + " bias", .order = 2});
+    world.constrain(bendRows(world.complex, cloth, world.rest, layer.rigidity),
+                    {.name = name + " bend", .order = 3});
+    std::vector<int> threads = down.ids;
+    threads.insert(threads.end(), around.ids.begin(), around.ids.end());
+    return threads;
+}
+
+// Adds a layer, sewn on. Returns its vertices.
+Range addLayer(World& world, const Ballerina& dancer, const Layer& layer) {
+    const Range cloth = world.add(
+        patternOf(layer), {.density = layer.density, .start = hung(layer, dancer.waist(0))});
+    std::vector<int> seam(static_cast<std::size_t>(layer.threads));
+    for (int i = 0; i < layer.threads; ++i) seam[i] = cloth.first + i;
+    const auto follow = [dancer, layer](double t, std::span<Vec<double>> positions) {
+        const Frame waist = dancer.waist(t - lead);
+        for (int i = 0; i < layer.threads; ++i)
+            positions[i] = placed(waist, waistline(layer, 2 * pi * i / layer.threads));
+    };
+    world.pin(seam, follow);
+    return cloth;
+}
+
+// Her skin is pinned matter that moves as she does.
+Range addBody(World& world, const Ballerina& dancer) {
+    const Range body = world.add(dancer.shape(), {.start = dancer.positions(0)});
+    world.pin(pointStencils(body), [dancer](double t, std::span<Vec<double>> positions) {
+        std::ranges::copy(dancer.positions(t - lead), positions.begin());
+    });
+    return body;
+}
+
+// Bare skin, hair, tights and satin shoes; her bodice is of the skirt's silk.
+Look lookOf(const Ballerina& dancer, Range body, const Layer& silk) {
+    Look look{.object = body, .material = Material::skin};
+    for (std::size_t v = 0; v < dancer.parts().size(); ++v) {
+        std::array color{0.72, 0.45, 0.33};
+        double satin = 0;
+        switch (dancer.parts()[v]) {
+            case BodyPart::hair:
+                color = {0.03, 0.018, 0.012};
+                break;
+            case BodyPart::leg:
+                color = {0.80, 0.62, 0.52};
+                break;
+            case BodyPart::shoe:
+                color = {0.75, 0.33, 0.27}, satin = 1;
+                break;
+            case BodyPart::torso:
+                color = silk.color, satin = 1;
+                break;
+            default:
+                break;
+        }
+        look.colors.push_back(color);
+        look.satin.push_back(satin);
+    }
+    return look;
+}
+
+View viewOf(const Ballerina& dancer, const std::array<Range, 3>& objects,
+            const std::array<Layer, 2>& layers) {
+    constexpr double size = 2.1;  // m, of what is to be seen
+    View view = plait::viewOf({objects[0], objects[1], objects[2]}, {0, 0.88, 0}, size,
+                              Material::silk, {0.5, 0.12, 2.5});
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        view.looks[i].material = layers[i].material;
+        view.looks[i].color = layers[i].color;
+    }
+    view.looks[2] = lookOf(dancer, objects[2], layers[0]);
+    view.groundHeight = 0;
+    view.groundSize = size;
+    view.stage = theatre(size);
+    view.follow = {.point = [dancer](double t) { return dancer.waist(t).origin; },
+                   .home = dancer.waist(0).origin};
+    return view;
+}
+
+// Vertices of the skirt that are in her.
+Metric insideOf(const Ballerina& dancer, Range skirt, Range body) {
+    return {.name = "inside",
+            .unit = "",
+            .measure =
+                [=, triangles = dancer.triangles()](const Snapshot& at) {
+                    const std::span all(at.positions);
+                    return static_cast<double>(findInside(all.subspan(skirt.first, skirt.size()),
+                                                          all.subspan(body.first, body.size()),
+                                                          triangles)
+                                                   .size());
+                },
+            .low = 0,
+            .high = 0};
+}
+
+}  // namespace
+
+Scene dress(const Knobs& knobs) {
+    Scene scene;
+    World& world = scene.world;
+    const Ballerina dancer;
+    const int threads = knobs.byQuality(90, 180, 360), rings = knobs.byQuality(15, 29, 57);
+    constexpr std::array vermilion{0.578, 0.032, 0.014}, rose{0.72, 0.32, 0.27};
+    const Layer silk{threads, rings, 0.42, 0.012, 0.09, 2e-6, 10, 0.75, Material::silk, vermilion};
+    const Layer tulle{threads, rings, 0.40, 0.006, 0.04, 4e-6, 10, 0.70, Material::tulle, rose};
+    const Range outside = addLayer(world, dancer, silk), inside = addLayer(world, dancer, tulle);
+    const Range body = addBody(world, dancer), skirt{outside.first, inside.last};
+    world.act<Gravity>(GravityOptions{});
+    actAir(world, {.density = 1.2, .drag = 1.2, .tangentialDrag = 0.1, .interval = 2});
+    std::vector<int> links = weave(world, outside, silk, "silk");
+    const std::vector<int> inner = weave(world, inside, tulle, "tulle");
+    links.insert(links.end(), inner.begin(), inner.end());
+    const auto surface = [](Range vertices, bool self) {
+        return Surface{.vertices = vertices,
+                       .thickness = 0.0015,
+                       .staticFriction = 0.2,
+                       .dynamicFriction = 0.2,
+                       .self = self};
+    };
+    meet(world, {surface(outside, true), surface(inside, true), surface(body, false)},
+         {.order = 4});
+    scene.options.schedule = {.substeps = 24, .iterations = 2, .collisionPasses = 2};
+    scene.options.damping = 0.02;
+    scene.lead = lead;
+    scene.seconds = Ballerina::seconds;
+    scene.metrics = {greatestStrain(world, links, {0, 2}), commonStrain(world, links, {0, 1}),
+                     selfIntersections(world, skirt, {0, 0}), insideOf(dancer, skirt, body)};
+    scene.view = viewOf(dancer, {outside, inside, body}, {silk, tulle});
+    return scene;
+}
+
+}  // namespace plait

@@ -1,0 +1,61 @@
+// The ballerina's dress, by measures that know nothing of the solver.
+#include "catch.h"
+#include "measure/intersections.h"
+#include "measure/penetration.h"
+#include "report.h"
+#include "scene.h"
+#include "solver.h"
+
+using namespace plait;
+using namespace plait::test;
+
+namespace {
+
+// The greatest of each metric over the frames after the first `skip`.
+std::vector<double> worst(const Scene& scene, int skip, int frames) {
+    SolverOptions options = scene.options;
+    options.threads = 2;
+    Solver<float> solver(scene.world, options);
+    std::vector<double> most(scene.metrics.size(), 0);
+    for (int frame = 1; frame <= skip + frames; ++frame) {
+        solver.frame();
+        if (frame <= skip) continue;
+        const auto x = solver.positions(), v = solver.velocities();
+        const Snapshot at{x, v, solver.time() - scene.lead, frame - skip};
+        for (std::size_t i = 0; i < most.size(); ++i)
+            most[i] = std::max(most[i], scene.metrics[i].measure(at));
+    }
+    return most;
+}
+
+void checkBands(const Scene& scene, const std::vector<double>& most) {
+    for (std::size_t i = 0; i < most.size(); ++i) {
+        INFO(scene.metrics[i].name << " " << most[i]);
+        CHECK(most[i] <= scene.metrics[i].high);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("dress: it begins free of her and of itself", "[dress]") {
+    const Scene scene = build(findScene("dress"), Quality::draft);
+    const Snapshot at{scene.world.start, scene.world.velocity, 0, 0};
+    for (const Metric& metric : scene.metrics)
+        if (metric.high == 0) CHECK(metric.measure(at) == 0);
+}
+
+// The first quarter of a second: both layers fall on each other and on her hips.
+TEST_CASE("dress: while it falls nothing passes through anything", "[dress]") {
+    Scene scene = build(findScene("dress"), Quality::draft);
+    const std::vector<double> most = worst(scene, 0, 6);
+    for (std::size_t i = 0; i < most.size(); ++i)
+        if (scene.metrics[i].high == 0) CHECK(most[i] == 0);
+}
+
+TEST_CASE("dress: it keeps its bands through the dance", "[dress][long]") {
+    const Scene scene = build(findScene("dress"), Quality::draft);
+    const int lead = static_cast<int>(scene.lead * 24);
+    const std::vector<double> most = worst(scene, lead, static_cast<int>(scene.seconds * 24));
+    checkBands(scene, most);
+    for (std::size_t i = 0; i < most.size(); ++i) note(scene.metrics[i].name + " at most", most[i]);
+}

@@ -1,0 +1,156 @@
+// Sheets that are no grids at rest between two pins: how far each stretches at fixed work, by
+// palindromes and by the method global, and how both behave where the work is too little.
+#include "catch.h"
+#include "falling_sheets.h"
+#include "report.h"
+
+#include <map>
+
+using namespace plait;
+using namespace plait::test;
+
+namespace {
+
+struct Case {
+    std::string name;
+    Shape shape;
+    std::vector<int> pins;
+    double swing;  // m, the lowest point of the first 40 frames, converged
+    Motion motion = {};
+    double bending = 0;  // N m
+};
+
+Motion shaking(double frequency) {
+    return [=](const Vec<double>& x, double t) {
+        return x + Vec<double>{0.2 * std::sin(2 * pi * frequency * t), 0, 0};
+    };
+}
+
+// A disc of 1 m on two pins of its rim, 120 degrees apart.
+Case discOf(int rings) {
+    const int rim = 1 + 3 * rings * (rings - 1);
+    return {"disc", disc({.rings = rings, .radius = 0.5}, lying), {rim, rim + 2 * rings}, -0.738};
+}
+
+// Of n x n vertices, or as many. Swings are those of 32 x 32 by 800 palindromes a frame, and shaken
+// at 3 Hz, by 64 steps of 2 iterations of global.
+std::vector<Case> casesOf(int n) {
+    const std::vector<int> corners{0, n - 1};
+    const Shape slender = grid({.columns = 2 * n, .rows = (2 * n + 9) / 10}, lying);
+    const Shape strip = grid({.columns = 3, .rows = 101, .width = 0.02}, lying);
+    return {{"disordered", disordered(n), corners, -0.991},
+            {"elements of 1:10", slender, {0, 2 * n - 1}, -0.989},
+            {"strip of 1:50", strip, {0, 1, 2}, -0.991},
+            discOf(n / 2),
+            {"shaken at 1 Hz", square(n), corners, -0.996, shaking(1)},
+            {"shaken at 3 Hz", square(n), corners, -1.000, shaking(3)},
+            {"like silk", square(n), corners, -0.986, {}, 1e-6},
+            {"like wool", square(n), corners, -0.987, {}, 3e-5},
+            {"like leather", square(n), corners, -0.991, {}, 1e-3}};
+}
+
+Course fall(const Case& of, Work work) {
+    work.motion = of.motion;
+    work.bending = of.bending;
+    return fall(of.name, of.shape, of.pins, work);
+}
+
+Work globally(int substeps, int iterations) {
+    return {.substeps = substeps,
+            .iterations = iterations,
+            .sheet = {.strands = false, .tethers = false},
+            .method = Method::global};
+}
+
+void holdAll(int n) {
+    for (const Case& of : casesOf(n)) {
+        const Course course = fall(of, globally(2, 2));
+        CHECK(course.worst < 0.02);
+        CHECK(course.before < (of.motion ? 0.1 : 0.02));  // that begins with a jerk
+        if (!of.motion) CHECK(course.energy < 1e-3);
+        if (n == 32) CHECK(std::fabs(course.swing / of.swing - 1) < 0.02);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("sheet cases: 2 steps a frame of 2 iterations of global hold all of 32 x 32 to 2 %",
+          "[inextensible]") {
+    holdAll(32);
+}
+
+TEST_CASE("sheet cases: the same of 64 x 64", "[inextensible][long]") { holdAll(64); }
+
+// Printed, and seen to fail softly.
+TEST_CASE("sheet cases: 24 palindromes a frame stretch them, and no more", "[inextensible][long]") {
+    for (const int n : {32, 64})
+        for (const Case& of : casesOf(n)) {
+            const Course course = fall(of, {});
+            CHECK(course.worst < 0.5);
+            CHECK(course.before < 0.5);
+        }
+}
+
+// A pin that lets go: a sheet without it that starts as the last one was. From two pins to one, and
+// then to none.
+TEST_CASE("sheet cases: pins let go one by one", "[inextensible]") {
+    for (const auto& [work, bound] : {std::pair{Work{}, 0.2}, {globally(2, 2), 0.02}}) {
+        const Shape shape = square(32);
+        Points at = shape.positions, velocity(at.size());
+        double worst = 0, energy = 0;
+        for (const std::vector<int>& pins : {std::vector{0, 31}, {0}, {}}) {
+            const World world =
+                hung(shape, pins, work, {.density = 0.2, .start = at, .velocity = velocity});
+            Solver<float> solver(world, optionsOf(work));
+            for (int frame = 0; frame < 40; ++frame) {
+                solver.frame();
+                at = solver.positions();
+                velocity = solver.velocities();
+                for (const double e : strainsOf(linksOf(world), at)) worst = std::max(worst, e);
+                const double now = kineticEnergy(world.mass, velocity) +
+                                   gravitationalEnergy(world.mass, at, {0, -9.81, 0});
+                CHECK(now < energy + 1e-3);
+                energy = std::min(energy, now);
+            }
+        }
+        CHECK(report("pins let go: largest strain of all frames", worst, bound));
+    }
+}
+
+namespace {
+
+constexpr int few[] = {1, 2, 4, 8, 16, 32, 64};
+
+// Every setting of up to `most` palindromes or iterations a frame. More of either stretches less,
+// but for what is chance in a crumpled sheet.
+void degradeSoftly(const char* name, const Shape& shape, const std::vector<int>& pins, Work work,
+                   int most) {
+    std::map<std::pair<int, int>, double> strain;  // of the first second
+    for (const int substeps : few)
+        for (const int iterations : few) {
+            if (substeps * iterations > most || iterations > 16) continue;
+            work.substeps = substeps;
+            work.iterations = iterations;
+            const Course course = fall<float>(name, shape, pins, work);
+            CHECK(course.energy < 1e-3);
+            CHECK(course.before < 0.5);
+            strain[{substeps, iterations}] = course.before;
+            for (const auto& less :
+                 {std::pair{substeps / 2, iterations}, {substeps, iterations / 2}})
+                if (strain.count(less)) CHECK(course.before < 1.3 * strain[less] + 0.003);
+        }
+}
+
+}  // namespace
+
+TEST_CASE("sheet cases: too little work stretches sheets softly", "[inextensible]") {
+    const Work work{.frames = 60};
+    degradeSoftly("grid", square(24), {0, 23}, work, 16);
+    degradeSoftly("disordered", disordered(24), {0, 23}, work, 16);
+}
+
+TEST_CASE("sheet cases: no substeps and palindromes make them explode", "[inextensible][long]") {
+    degradeSoftly("grid", square(24), {0, 23}, {}, 1024);
+    degradeSoftly("disordered", disordered(24), {0, 23}, {}, 1024);
+    degradeSoftly("disordered, global", disordered(24), {0, 23}, globally(1, 1), 16);
+}
