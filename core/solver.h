@@ -28,7 +28,7 @@ public:
 
     // Advances by one frame. Throws Diverged if a number is not finite, and what an animation
     // throws, with everything put back to where the frame began. Allocates nothing after the first
-    // frame.
+    // frame, but where lists of contacts grow.
     void frame();
     // Back to the start of the run, bit for bit [AR11].
     void rewind();

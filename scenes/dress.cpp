@@ -141,10 +141,10 @@ Range addBody(World& world, const Ballerina& dancer) {
 // Bare skin, hair, tights and satin shoes; her bodice is of the skirt's silk.
 Look lookOf(const Ballerina& dancer, Range body, const Layer& silk) {
     Look look{.object = body, .material = Material::skin};
-    for (std::size_t v = 0; v < dancer.parts().size(); ++v) {
+    for (const BodyPart part : dancer.parts()) {
         std::array color{0.72, 0.45, 0.33};
         double satin = 0;
-        switch (dancer.parts()[v]) {
+        switch (part) {
             case BodyPart::hair:
                 color = {0.03, 0.018, 0.012};
                 break;
