@@ -25,7 +25,7 @@ double legendHeight(const Figure& figure) {
 }
 
 // Charts in rows from the left.
-void addCharts(Drawing& drawing, const Figure& figure, const Box& box) {
+void addCharts(Drawing& drawing, const Figure& figure, const PageBox& box) {
     const int count = static_cast<int>(figure.charts.size());
     const int columns = std::min(figure.columns, count), rows = (count + columns - 1) / columns;
     const double share = columns * rows == 1 ? 1 : columns <= 2 && rows <= 2 ? 0.9 : 0.8;
@@ -36,7 +36,7 @@ void addCharts(Drawing& drawing, const Figure& figure, const Box& box) {
     for (int i = 0; i < count; ++i) {
         const int column = i % columns, row = i / columns;
         const Chart& chart = figure.charts[static_cast<std::size_t>(i)];
-        Box cell{box.left + column * width, box.top + row * height, 0, 0};
+        PageBox cell{box.left + column * width, box.top + row * height, 0, 0};
         cell.right = cell.left + width - gap;
         cell.bottom = cell.top + height - gap - below;
         addChart(drawing, chart, cell, share * text);
@@ -64,7 +64,7 @@ Drawing figureDrawing(const Figure& figure) {
         top += 34 * size;
     }
     const std::vector<LegendEntry> entries = legendEntries(figure.charts);
-    Box box{margin, top, figure.width - margin, figure.height - 0.7 * margin};
+    PageBox box{margin, top, figure.width - margin, figure.height - 0.7 * margin};
     if (!entries.empty() && !figure.legendBelow) {
         const double width = legendWidth(entries, size);
         addLegend(drawing, entries, {box.right - width, top + 30 * size, box.right, box.bottom},

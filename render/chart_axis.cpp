@@ -22,7 +22,7 @@ std::string powerOfTen(int exponent) {
     return result;
 }
 
-std::vector<Tick> linearTicks(Range range, int steps) {
+std::vector<Tick> linearTicks(AxisRange range, int steps) {
     if (!(range.high > range.low) || !std::isfinite(range.high - range.low))
         return {{range.low, decimal(range.low, 0)}};
     const double rough = (range.high - range.low) / steps;
@@ -42,7 +42,7 @@ std::vector<Tick> linearTicks(Range range, int steps) {
     return result;
 }
 
-std::vector<Tick> logarithmicTicks(Range range, int steps) {
+std::vector<Tick> logarithmicTicks(AxisRange range, int steps) {
     const double low = std::log10(range.low), high = std::log10(range.high);
     const double slack = 1e-6 * (high - low);
     const int first = static_cast<int>(std::floor(low + slack));
@@ -77,7 +77,7 @@ double AxisScale::operator()(double value) const {
     return from + s * (to - from);
 }
 
-Range axisRange(const Axis& axis, std::span<const double> data) {
+AxisRange axisRange(const Axis& axis, std::span<const double> data) {
     const auto in = [&](double v) { return axis.logarithmic ? std::log10(v) : v; };
     const auto out = [&](double v) { return axis.logarithmic ? std::pow(10, v) : v; };
     double low = axis.logarithmic ? -1 : 0, high = axis.logarithmic ? 0 : 1;
@@ -87,13 +87,13 @@ Range axisRange(const Axis& axis, std::span<const double> data) {
     }
     double margin = (high - low) / 20;
     if (high == low) margin = axis.logarithmic ? 0.3 : low == 0 ? 1 : std::abs(low) / 10;
-    Range range{out(low - margin), out(high + margin)};
+    AxisRange range{out(low - margin), out(high + margin)};
     if (axis.low) range.low = *axis.low;
     if (axis.high) range.high = *axis.high;
     return range;
 }
 
-std::vector<Tick> axisTicks(Range range, bool logarithmic, int steps) {
+std::vector<Tick> axisTicks(AxisRange range, bool logarithmic, int steps) {
     if (!logarithmic) return linearTicks(range, steps);
     std::vector<Tick> ticks = logarithmicTicks(range, steps);
     const auto named = std::count_if(ticks.begin(), ticks.end(),

@@ -7,13 +7,13 @@
 
 namespace plait {
 
-struct Range {
+struct AxisRange {
     double low, high;
 };
 
 // Places from `from` (at range.low) to `to` (at range.high), px.
 struct AxisScale {
-    Range range;
+    AxisRange range;
     bool logarithmic;
     double from, to;
 
@@ -22,7 +22,7 @@ struct AxisScale {
 
 // What the axis is given, and else the data with a margin of a twentieth; round the middle where
 // all data are one number. Finite, low < high, positive on a logarithmic axis.
-Range axisRange(const Axis& axis, std::span<const double> data);
+AxisRange axisRange(const Axis& axis, std::span<const double> data);
 
 struct Tick {
     double value;
@@ -33,6 +33,6 @@ struct Tick {
 // times a power of ten; on a logarithmic axis powers of ten, with lines at 2 ... 9 of each where
 // all powers are shown, and with the numbers 2 and 5 where the range is less than two decades.
 // {low} for a range that is empty or not finite.
-std::vector<Tick> axisTicks(Range range, bool logarithmic, int steps);
+std::vector<Tick> axisTicks(AxisRange range, bool logarithmic, int steps);
 
 }  // namespace plait

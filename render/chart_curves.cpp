@@ -7,7 +7,7 @@ namespace plait {
 namespace {
 
 // What of a line lies in the box.
-std::vector<std::vector<PagePoint>> clipped(std::span<const PagePoint> points, const Box& box) {
+std::vector<std::vector<PagePoint>> clipped(std::span<const PagePoint> points, const PageBox& box) {
     std::vector<std::vector<PagePoint>> result;
     bool goesOn = false;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -24,7 +24,7 @@ std::vector<std::vector<PagePoint>> clipped(std::span<const PagePoint> points, c
 }
 
 // The same of an area, side by side (Sutherland and Hodgman 1974).
-std::vector<PagePoint> clippedArea(std::vector<PagePoint> points, const Box& box) {
+std::vector<PagePoint> clippedArea(std::vector<PagePoint> points, const PageBox& box) {
     const auto cut = [&](auto distance) {
         std::vector<PagePoint> kept;
         for (std::size_t i = 0; i < points.size(); ++i) {
@@ -85,7 +85,7 @@ void addFront(Drawing& drawing, std::span<const ChartPoint> front, const Plot& p
 
 }  // namespace
 
-bool contains(const Box& box, PagePoint p) {
+bool contains(const PageBox& box, PagePoint p) {
     constexpr double slack = 0.01;
     return p.x >= box.left - slack && p.x <= box.right + slack && p.y >= box.top - slack &&
            p.y <= box.bottom + slack;
@@ -96,7 +96,7 @@ PagePoint between(PagePoint a, PagePoint b, double s) {
 }
 
 // Liang and Barsky 1984.
-std::pair<double, double> inside(PagePoint a, PagePoint b, const Box& box) {
+std::pair<double, double> inside(PagePoint a, PagePoint b, const PageBox& box) {
     double first = 0, last = 1;
     const auto keep = [&](double distance, double change) {  // distance + s change >= 0
         if (change > 0) first = std::max(first, -distance / change);

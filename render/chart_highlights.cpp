@@ -9,21 +9,21 @@ namespace {
 
 constexpr double covering = 1e4;  // another word or ring, or the edge of the plot
 
-bool overlap(const Box& a, const Box& b) {
+bool overlap(const PageBox& a, const PageBox& b) {
     return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
 // What a word there would hide: px of curves and front.
-double hidden(const Box& word, const Chart& chart, const Plot& plot, std::span<const Box> taken,
-              double markerReach) {
-    const Box& edge = plot.box;
-    const Box near{word.left - markerReach, word.top - markerReach, word.right + markerReach,
-                   word.bottom + markerReach};
+double hidden(const PageBox& word, const Chart& chart, const Plot& plot,
+              std::span<const PageBox> taken, double markerReach) {
+    const PageBox& edge = plot.box;
+    const PageBox near{word.left - markerReach, word.top - markerReach, word.right + markerReach,
+                       word.bottom + markerReach};
     double sum = word.left < edge.left || word.right > edge.right || word.top < edge.top ||
                          word.bottom > edge.bottom
                      ? covering
                      : 0;
-    for (const Box& box : taken) sum += overlap(word, box) ? covering : 0;
+    for (const PageBox& box : taken) sum += overlap(word, box) ? covering : 0;
     const auto addLength = [&](PagePoint a, PagePoint b) {
         const auto [first, last] = inside(a, b, word);
         if (first < last) sum += (last - first) * std::hypot(b.x - a.x, b.y - a.y);
@@ -43,8 +43,8 @@ double hidden(const Box& word, const Chart& chart, const Plot& plot, std::span<c
 }
 
 // Where a word can stand beside a point, near before far.
-std::vector<Box> placesBeside(PagePoint at, double width, double cap, double em) {
-    std::vector<Box> places;
+std::vector<PageBox> placesBeside(PagePoint at, double width, double cap, double em) {
+    std::vector<PageBox> places;
     for (const double distance : {0.9, 1.5, 2.4})
         for (const double across : {1.0, -1.0, 0.0})
             for (const double up : {-1.0, 0.0, 1.0}) {
@@ -73,24 +73,24 @@ void addHighlights(Drawing& drawing, const Chart& chart, const Plot& plot, doubl
     const TextStyle style{Weight::semibold, 18 * size, ink};
     const std::string word = "default";
     const double cap = capHeight(style), width = textWidth(word, style);
-    std::vector<Box> taken;
+    std::vector<PageBox> taken;
     for (const Curve& curve : chart.curves) {
         if (!curve.highlighted) continue;
         const PagePoint p = plot(curve.points[static_cast<std::size_t>(*curve.highlighted)]);
         const double reach = 15 * size;
-        const Box ring{p.x - reach, p.y - reach, p.x + reach, p.y + reach};
+        const PageBox ring{p.x - reach, p.y - reach, p.x + reach, p.y + reach};
         const bool known = std::any_of(taken.begin(), taken.end(),
-                                       [&](const Box& box) { return contains(box, p); });
+                                       [&](const PageBox& box) { return contains(box, p); });
         if (known || !contains(plot.box, p)) continue;
         addRing(drawing, p, 13 * size, 3 * size);
         taken.push_back(ring);
-        const std::vector<Box> places = placesBeside(p, width, cap, style.size);
+        const std::vector<PageBox> places = placesBeside(p, width, cap, style.size);
         std::vector<double> costs;
-        for (const Box& place : places)
+        for (const PageBox& place : places)
             costs.push_back(hidden(place, chart, plot, taken, 8 * size));
         const auto least = std::min_element(costs.begin(), costs.end());
         if (*least >= covering) continue;
-        const Box& best = places[static_cast<std::size_t>(least - costs.begin())];
+        const PageBox& best = places[static_cast<std::size_t>(least - costs.begin())];
         const PagePoint near{std::clamp(p.x, best.left, best.right),
                              std::clamp(p.y, best.top, best.bottom)};
         const double gap = std::hypot(near.x - p.x, near.y - p.y);

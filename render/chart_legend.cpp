@@ -50,7 +50,7 @@ double legendWidth(std::span<const LegendEntry> entries, double size) {
 }
 
 // Rows draw together where there are too many.
-void addLegend(Drawing& drawing, std::span<const LegendEntry> entries, const Box& box,
+void addLegend(Drawing& drawing, std::span<const LegendEntry> entries, const PageBox& box,
                double size) {
     const auto count = static_cast<double>(std::max<std::size_t>(entries.size(), 1));
     const double step = std::min(legendPitch * size, (box.bottom - box.top) / count);

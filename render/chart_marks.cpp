@@ -40,7 +40,7 @@ void addLine(Drawing& drawing, PagePoint a, PagePoint b, Color color, double wid
     drawing.items.emplace_back(Stroke{{a, b}, false, color, width, {}});
 }
 
-void addRectangle(Drawing& drawing, const Box& box, Color color, double alpha) {
+void addRectangle(Drawing& drawing, const PageBox& box, Color color, double alpha) {
     drawing.items.emplace_back(Area{corners(box), color, alpha, true});
 }
 

@@ -22,26 +22,26 @@ enum class Anchor { left, middle, right };
 void addWord(Drawing& drawing, double x, double baseline, const std::string& text, TextStyle style,
              Anchor anchor = Anchor::left, double room = HUGE_VAL);
 void addLine(Drawing& drawing, PagePoint a, PagePoint b, Color color, double width);
-void addRectangle(Drawing& drawing, const Box& box, Color color, double alpha = 1);
+void addRectangle(Drawing& drawing, const PageBox& box, Color color, double alpha = 1);
 void addMarker(Drawing& drawing, PagePoint center, const CurveStyle& style, double radius);
 
 // Where a chart's numbers are on the page.
 struct Plot {
-    Box box;
+    PageBox box;
     AxisScale x, y;
 
     PagePoint operator()(ChartPoint p) const { return {x(p.x), y(p.y)}; }
 };
 
 // One chart within the box; `size` 1 is for a chart that has the page to itself.
-void addChart(Drawing& drawing, const Chart& chart, const Box& box, double size);
+void addChart(Drawing& drawing, const Chart& chart, const PageBox& box, double size);
 // Curves with bands, markers and front; the highlighted points.
 void addCurves(Drawing& drawing, const Chart& chart, const Plot& plot, double size);
 void addHighlights(Drawing& drawing, const Chart& chart, const Plot& plot, double size);
 
-bool contains(const Box& box, PagePoint p);  // its edge too
+bool contains(const PageBox& box, PagePoint p);  // its edge too
 // Of the segment the part within the box, as fractions; first > last: none.
-std::pair<double, double> inside(PagePoint a, PagePoint b, const Box& box);
+std::pair<double, double> inside(PagePoint a, PagePoint b, const PageBox& box);
 PagePoint between(PagePoint a, PagePoint b, double s);
 
 // Names and samples of what the charts hold, each name once.
@@ -55,7 +55,8 @@ struct LegendEntry {
 std::vector<LegendEntry> legendEntries(std::span<const Chart> charts);
 inline constexpr double legendPitch = 34;  // px from one to the next where there is room
 double legendWidth(std::span<const LegendEntry> entries, double size);
-void addLegend(Drawing& drawing, std::span<const LegendEntry> entries, const Box& box, double size);
+void addLegend(Drawing& drawing, std::span<const LegendEntry> entries, const PageBox& box,
+               double size);
 
 // Throws std::invalid_argument as figureSvg says.
 void checkFigure(const Figure& figure);

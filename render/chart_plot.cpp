@@ -48,8 +48,8 @@ std::vector<double> cellEdges(const std::vector<double>& values, bool logarithmi
 }
 
 // A map fills its axes; curves on it are cut off where it ends.
-Range rangeOf(const Axis& axis, const std::vector<double>& data,
-              const std::vector<double>* mapped) {
+AxisRange rangeOf(const Axis& axis, const std::vector<double>& data,
+                  const std::vector<double>* mapped) {
     if (!mapped) return axisRange(axis, data);
     const std::vector<double> edges = cellEdges(*mapped, axis.logarithmic);
     return {edges.front(), edges.back()};
@@ -86,13 +86,14 @@ std::vector<Tick> ticksAcross(const AxisScale& x, const TextStyle& style) {
     }
 }
 
-std::vector<Tick> ticksUp(Range range, bool logarithmic, const Box& box, const TextStyle& style) {
+std::vector<Tick> ticksUp(AxisRange range, bool logarithmic, const PageBox& box,
+                          const TextStyle& style) {
     const double fit = (box.bottom - box.top) / (2.4 * style.size);
     return axisTicks(range, logarithmic, static_cast<int>(std::clamp(fit, 1.0, 9.0)));
 }
 
 // Keeps the upper left corner.
-void shrinkToEqualScale(Box& box, Range x, Range y) {
+void shrinkToEqualScale(PageBox& box, AxisRange x, AxisRange y) {
     const double across = x.high - x.low, up = y.high - y.low;
     const double unit = std::min((box.right - box.left) / across, (box.bottom - box.top) / up);
     box.right = box.left + unit * across;
@@ -100,7 +101,7 @@ void shrinkToEqualScale(Box& box, Range x, Range y) {
 }
 
 void addAxes(Drawing& drawing, const Chart& chart, const Plot& plot, const Look& look) {
-    const Box& box = plot.box;
+    const PageBox& box = plot.box;
     constexpr double outside = 6;
     const TextStyle& style = look.tick;
     const auto gridLine = [&](PagePoint a, PagePoint b, bool named) {
@@ -125,7 +126,7 @@ void addAxes(Drawing& drawing, const Chart& chart, const Plot& plot, const Look&
 }
 
 // A map's all round, else the two axes.
-void addFrame(Drawing& drawing, const Chart& chart, const Box& box) {
+void addFrame(Drawing& drawing, const Chart& chart, const PageBox& box) {
     std::vector<PagePoint> line = corners(box);
     if (!chart.map) line = {line[0], line[3], line[2]};
     drawing.items.emplace_back(Stroke{line, chart.map.has_value(), ink, 1.5, {}});
@@ -153,7 +154,7 @@ void addFailures(Drawing& drawing, const Chart& chart, const Plot& plot, const T
     if (curves.empty()) return;
     const double height = stripHeight(chart, size);
     const double row = height / (static_cast<double>(curves.size()) + 1);
-    const Box box{plot.box.left, plot.box.top - height, plot.box.right, plot.box.top - row / 2};
+    const PageBox box{plot.box.left, plot.box.top - height, plot.box.right, plot.box.top - row / 2};
     addRectangle(drawing, box, chartGrid, 0.6);
     addWord(drawing, box.left - 10, (box.top + box.bottom + capHeight(style)) / 2, failed, style,
             Anchor::right);
@@ -165,8 +166,9 @@ void addFailures(Drawing& drawing, const Chart& chart, const Plot& plot, const T
 }
 
 // The rectangle of the numbers, which leaves room for all that is written around it.
-Box innerBox(const Chart& chart, const Box& box, Range y, const Look& look, double size) {
-    Box inner = box;
+PageBox innerBox(const Chart& chart, const PageBox& box, AxisRange y, const Look& look,
+                 double size) {
+    PageBox inner = box;
     const double strip = stripHeight(chart, size);
     if (!chart.title.empty()) inner.top += 1.6 * look.title.size;
     if (!chart.y.label.empty()) inner.top += 1.5 * look.label.size;
@@ -182,12 +184,12 @@ Box innerBox(const Chart& chart, const Box& box, Range y, const Look& look, doub
 
 }  // namespace
 
-void addChart(Drawing& drawing, const Chart& chart, const Box& box, double size) {
+void addChart(Drawing& drawing, const Chart& chart, const PageBox& box, double size) {
     const Look look(size);
     const Data data = dataOf(chart);
-    const Range x = rangeOf(chart.x, data.x, chart.map ? &chart.map->x : nullptr);
-    const Range y = rangeOf(chart.y, data.y, chart.map ? &chart.map->y : nullptr);
-    Box inner = innerBox(chart, box, y, look, size);
+    const AxisRange x = rangeOf(chart.x, data.x, chart.map ? &chart.map->x : nullptr);
+    const AxisRange y = rangeOf(chart.y, data.y, chart.map ? &chart.map->y : nullptr);
+    PageBox inner = innerBox(chart, box, y, look, size);
     if (chart.equalScale) shrinkToEqualScale(inner, x, y);
     const Plot plot{inner,
                     {x, chart.x.logarithmic, inner.left, inner.right},

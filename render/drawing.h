@@ -14,11 +14,11 @@ struct PagePoint {
     double x, y;
 };
 
-struct Box {
+struct PageBox {
     double left, top, right, bottom;
 };
 
-inline std::vector<PagePoint> corners(const Box& box) {
+inline std::vector<PagePoint> corners(const PageBox& box) {
     return {
         {box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}};
 }
@@ -58,7 +58,7 @@ struct Drawing {
 };
 
 // Around the capitals, digits and descenders.
-Box boxOf(const Word& word);
+PageBox boxOf(const Word& word);
 
 std::string drawingSvg(const Drawing& drawing);
 // `scale` pixels to a px.

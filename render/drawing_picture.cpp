@@ -185,7 +185,7 @@ struct Painter {
 
 }  // namespace
 
-Box boxOf(const Word& word) {
+PageBox boxOf(const Word& word) {
     const double cap = capHeight(word.style);
     return {word.x, word.baseline - cap, word.x + textWidth(word.text, word.style),
             word.baseline + 0.3 * cap};

@@ -5,6 +5,7 @@
 #include "measures.h"
 #include "stencils.h"
 #include "views.h"
+#include "woven.h"
 
 #include <algorithm>
 #include <limits>
@@ -13,27 +14,6 @@ namespace plait {
 namespace {
 
 constexpr double unbound = std::numeric_limits<double>::infinity();
-
-// Threads along and across that do not stretch, and a weave of `shear` N/m on the bias. Returns the
-// threads, two vertices a link.
-std::vector<int> weave(World& world, Range cloth, int columns, double shear) {
-    Rows<Stretch> along, across, bias;
-    const Rows<Stretch> edges = restRows<Stretch>(edgeStencils(world.complex, cloth), world.rest);
-    for (std::size_t i = 0; i < edges.rows.size(); ++i) {
-        const int a = edges.ids[2 * i], b = edges.ids[2 * i + 1];
-        const int apart = a < b ? b - a : a - b;
-        Rows<Stretch>& set = apart == 1 ? along : apart == columns ? across : bias;
-        set.ids.insert(set.ids.end(), {a, b});
-        set.rows.push_back(edges.rows[i]);
-    }
-    for (auto& row : bias.rows) row.compliance = row.compression = 1 / (2 * shear);
-    world.strand(along, {.name = "warp"});
-    world.strand(across, {.name = "weft", .order = 1});
-    world.constrain(bias, {.name = "bias", .order = 2});
-    std::vector<int> threads = along.ids;
-    threads.insert(threads.end(), across.ids.begin(), across.ids.end());
-    return threads;
-}
 
 }  // namespace
 
@@ -52,7 +32,7 @@ Scene sheetOnSphere(const Knobs& knobs) {
         world.add(sphere({.subdivisions = 4, .radius = radius}, {.origin = {0, -radius, 0}}));
     world.pin(pointStencils(ball));
     world.act<Gravity>(GravityOptions{});
-    const std::vector<int> threads = weave(world, cloth, n, 15);
+    const std::vector<int> threads = weave(world, cloth, gridThreads(n), 15);
     world.constrain(bendRows(world.complex, cloth, world.rest, 1e-6), {.name = "bend", .order = 3});
     const auto surface = [&](Range range, bool self) {
         return Surface{.vertices = range,

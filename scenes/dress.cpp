@@ -9,6 +9,7 @@
 #include "measures.h"
 #include "stencils.h"
 #include "views.h"
+#include "woven.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,29 +90,16 @@ std::vector<Vec<double>> hung(const Layer& layer, const Frame& waist) {
     return start;
 }
 
-// Threads that do not stretch, around and down, and a weave that gives way on the bias. Returns the
-// threads, two vertices a link.
+// Threads down and rings around, but for the one that is sewn on. Returns them, two vertices a
+// link.
 std::vector<int> weave(World& world, Range cloth, const Layer& layer, const std::string& name) {
-    Rows<Stretch> around, down, bias;
-    const Rows<Stretch> edges = restRows<Stretch>(edgeStencils(world.complex, cloth), world.rest);
-    for (std::size_t i = 0; i < edges.rows.size(); ++i) {
-        const int a = edges.ids[2 * i] - cloth.first, b = edges.ids[2 * i + 1] - cloth.first;
-        const bool sameRing = a / layer.threads == b / layer.threads;
-        const bool sameThread = a % layer.threads == b % layer.threads;
-        if (sameRing && a < layer.threads) continue;  // sewn on
-        Rows<Stretch>& set = sameRing ? around : sameThread ? down : bias;
-        set.ids.insert(set.ids.end(), {edges.ids[2 * i], edges.ids[2 * i + 1]});
-        set.rows.push_back(edges.rows[i]);
-    }
-    for (auto& row : bias.rows) row.compliance = row.compression = 1 / (2 * layer.shearStiffness);
-    world.strand(down, {.name = name + " threads"});
-    world.strand(around, {.name = name + " rings", .order = 1});
-    world.constrain(bias, {.name = name + " bias", .order = 2});
+    const auto threadOf = [n = layer.threads](int a, int b) {
+        if (a / n == b / n) return a < n ? Thread::none : Thread::weft;
+        return a % n == b % n ? Thread::warp : Thread::bias;
+    };
     world.constrain(bendRows(world.complex, cloth, world.rest, layer.rigidity),
-                    {.name = name + " bend", .order = 3});
-    std::vector<int> threads = down.ids;
-    threads.insert(threads.end(), around.ids.begin(), around.ids.end());
-    return threads;
+                    {.name = name + "bend", .order = 3});
+    return plait::weave(world, cloth, threadOf, layer.shearStiffness, name);
 }
 
 // Adds a layer, sewn on. Returns its vertices.
@@ -214,8 +202,8 @@ Scene dress(const Knobs& knobs) {
     const Range body = addBody(world, dancer), skirt{outside.first, inside.last};
     world.act<Gravity>(GravityOptions{});
     actAir(world, {.density = 1.2, .drag = 1.2, .tangentialDrag = 0.1, .interval = 2});
-    std::vector<int> links = weave(world, outside, silk, "silk");
-    const std::vector<int> inner = weave(world, inside, tulle, "tulle");
+    std::vector<int> links = weave(world, outside, silk, "silk ");
+    const std::vector<int> inner = weave(world, inside, tulle, "tulle ");
     links.insert(links.end(), inner.begin(), inner.end());
     const auto surface = [](Range vertices, bool self) {
         return Surface{.vertices = vertices,

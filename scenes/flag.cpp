@@ -8,6 +8,7 @@
 #include "mesh_file.h"
 #include "stencils.h"
 #include "views.h"
+#include "woven.h"
 
 #include <algorithm>
 #include <array>
@@ -91,28 +92,6 @@ void addPole(View& view) {
                                       {0.027, y + 0.01},
                                       {0.022, y + 0.012}}),
                               Material::brass, brass});
-}
-
-// The flag's own cloth: what holds it together are its threads, each solved whole. Returns them,
-// two vertices a link.
-std::vector<int> weave(World& world, Range cloth, int columns) {
-    Rows<Stretch> warp, weft, bias;
-    const Rows<Stretch> edges = restRows<Stretch>(edgeStencils(world.complex, cloth), world.rest);
-    for (std::size_t i = 0; i < edges.rows.size(); ++i) {
-        const int a = edges.ids[2 * i], b = edges.ids[2 * i + 1];
-        const int apart = a < b ? b - a : a - b;
-        Rows<Stretch>& set = apart == 1 ? warp : apart == columns ? weft : bias;
-        set.ids.insert(set.ids.end(), {a, b});
-        set.rows.push_back(edges.rows[i]);
-    }
-    // A square cell sheared by an angle has its diagonal longer by that times its length / 2.
-    for (auto& row : bias.rows) row.compliance = row.compression = 1 / (2 * shearStiffness);
-    world.strand(warp, {.name = "warp"});
-    world.strand(weft, {.name = "weft", .order = 1});
-    world.constrain(bias, {.name = "bias", .order = 2});
-    std::vector<int> threads = warp.ids;
-    threads.insert(threads.end(), weft.ids.begin(), weft.ids.end());
-    return threads;
 }
 
 // A cloth of the user's own: nobody knows its threads, so every edge is one.
@@ -211,7 +190,8 @@ Scene flag(const Knobs& knobs) {
                    .addedMass = addedMass,
                    .interval = airInterval,
                    .wind = windOf(knobs)});
-    const std::vector<int> threads = own ? weave(world, cloth, columns) : hold(world, cloth);
+    const std::vector<int> threads =
+        own ? weave(world, cloth, gridThreads(columns), shearStiffness) : hold(world, cloth);
 
     // Half the strain of first order, and its energy falls as steadily (tests/test_flag.cpp).
     scene.options.integrator = Integrator::bdf2;

@@ -29,7 +29,7 @@ inline Word wordOf(const Drawing& drawing, const std::string& text) {
 // Where the number is on the page, from the places of the ticks `low` and `high` alone.
 inline double across(const Drawing& drawing, const std::string& low, const std::string& high,
                      double s) {
-    const Box a = boxOf(wordOf(drawing, low)), b = boxOf(wordOf(drawing, high));
+    const PageBox a = boxOf(wordOf(drawing, low)), b = boxOf(wordOf(drawing, high));
     return (1 - s) * (a.left + a.right) / 2 + s * (b.left + b.right) / 2;
 }
 

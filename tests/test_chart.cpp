@@ -86,7 +86,7 @@ Figure narrow() {
     return figure;
 }
 
-bool overlap(const Box& a, const Box& b) {
+bool overlap(const PageBox& a, const PageBox& b) {
     return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("No word of a crowded figure covers another or leaves the page", "[cha
         const std::vector<Word> words = every<Word>(drawing);
         REQUIRE(words.size() > 25);
         for (std::size_t i = 0; i < words.size(); ++i) {
-            const Box box = boxOf(words[i]);
+            const PageBox box = boxOf(words[i]);
             CAPTURE(words[i].text);
             CHECK((box.left >= 0 && box.top >= 0));
             CHECK((box.right <= drawing.width && box.bottom <= drawing.height));

@@ -10,7 +10,7 @@ using namespace plait::test;
 
 namespace {
 
-std::vector<std::string> texts(Range range, bool logarithmic, int steps) {
+std::vector<std::string> texts(AxisRange range, bool logarithmic, int steps) {
     std::vector<std::string> result;
     for (const Tick& tick : axisTicks(range, logarithmic, steps))
         if (!tick.text.empty()) result.push_back(tick.text);
@@ -74,7 +74,7 @@ TEST_CASE("An axis without a range holds its data", "[chart]") {
     CHECK(range(logarithmic, {1, 100}).high == Approx(100 * std::pow(10, 0.1)));
     CHECK(range({.low = 0}, {3, 1}).low == 0);
     for (const double value : {0.0, -2.0, 7.0, 1e-200, 1e200}) {
-        const Range around = range({}, {value, value});
+        const AxisRange around = range({}, {value, value});
         CAPTURE(value);
         CHECK((around.low < value && value < around.high));
         CHECK(!axisTicks(around, false, 5).empty());

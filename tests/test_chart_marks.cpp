@@ -50,7 +50,7 @@ TEST_CASE("Failures are marks above the top edge, a row a curve", "[chart]") {
     CHECK(marks[0].y < top);
     CHECK(marks[1].y < top);
     CHECK(std::abs(marks[0].y - marks[1].y) > 12);
-    const Box failed = boxOf(wordOf(drawing, "failed"));
+    const PageBox failed = boxOf(wordOf(drawing, "failed"));
     CHECK((failed.top > marks[0].y - 12 && failed.bottom < marks[1].y + 12));
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("The default is ringed, and the front is a staircase beneath the curve
             REQUIRE(!stairs.empty());
     }
     CHECK(ringed);
-    const Box word = boxOf(wordOf(drawing, "default"));
+    const PageBox word = boxOf(wordOf(drawing, "default"));
     CHECK(near({(word.left + word.right) / 2, (word.top + word.bottom) / 2}, at(2, 4)) < 80);
     const std::vector<PagePoint> corners{at(1, 20), at(1, 8), at(2, 8), at(2, 4),
                                          at(4, 4),  at(4, 2), at(5, 2)};
@@ -106,7 +106,7 @@ TEST_CASE("The word default covers no marker, and a line leads to it from afar",
         return PagePoint{across(drawing, "0", "10", p.x / 10),
                          up(drawing, "20", "30", p.y / 10 - 2)};
     };
-    const Box word = boxOf(wordOf(drawing, "default"));
+    const PageBox word = boxOf(wordOf(drawing, "default"));
     const auto away = [&](PagePoint p) {
         return std::hypot(p.x - std::clamp(p.x, word.left, word.right),
                           p.y - std::clamp(p.y, word.top, word.bottom));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 
 namespace plait {
 namespace {
@@ -200,7 +201,7 @@ void ContactSet<Real>::rebound(State<Real>& state) const {
 template <class Real>
 void ContactSet<Real>::colour() {
     std::ranges::fill(taken_, std::uint64_t{0});
-    colors_.assign(colorLimit + 2, 0);
+    colors_.fill(0);
     for (Contact& c : contacts_) {
         std::uint64_t taken = 0;
         const auto vertices = std::span(c.pair.vertices).first(c.pair.first + c.pair.second);
@@ -211,9 +212,9 @@ void ContactSet<Real>::colour() {
             for (const int v : vertices) taken_[v] |= std::uint64_t{1} << c.color;
         ++colors_[c.color + 1];
     }
-    for (std::size_t c = 1; c < colors_.size(); ++c) colors_[c] += colors_[c - 1];
+    std::partial_sum(colors_.begin(), colors_.end(), colors_.begin());
     sorted_.resize(contacts_.size());
-    std::vector<int> next(colors_.begin(), colors_.end() - 1);
+    auto next = colors_;
     for (const Contact& c : contacts_) sorted_[next[c.color]++] = c;
     contacts_.swap(sorted_);
 }

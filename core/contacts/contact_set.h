@@ -95,7 +95,7 @@ private:
     std::vector<Path> paths_;  // by vertex, of this substep
     std::vector<int> bent_;    // vertices that bounced
     std::vector<Contact> contacts_, sorted_, crossing_;
-    std::vector<int> colors_;  // where each colour begins in contacts_
+    std::array<int, colorLimit + 2> colors_{};  // where each colour begins in contacts_
     std::vector<std::vector<Contact>> parts_;
     std::vector<std::uint64_t> taken_;  // colours at each vertex
     double slack_;                      // m, that contacts reach beyond their gap

@@ -8,11 +8,12 @@
 namespace plait {
 namespace {
 
+bool fits(double a) { return a >= 0 && std::isfinite(a); }
+
 void check(World& world, const Surface& s, const std::string& set) {
     const auto refuse = [&](const std::string& what) {
         throw std::invalid_argument(set + ": " + what);
     };
-    const auto fits = [](double a) { return a >= 0 && std::isfinite(a); };
     if (s.vertices.first < 0 || s.vertices.last > world.complex.count(0) || s.vertices.size() < 1)
         refuse("a surface of vertices that are not there");
     if (!s.radii.empty() && std::ssize(s.radii) != s.vertices.size())
@@ -27,7 +28,6 @@ void check(World& world, const Surface& s, const std::string& set) {
 }  // namespace
 
 void meet(World& world, const std::vector<Surface>& surfaces, const ContactOptions& options) {
-    const auto fits = [](double a) { return a >= 0 && std::isfinite(a); };
     if (!fits(options.recovery) || !fits(options.margin) || !fits(options.layerShock - 1) ||
         !fits(options.bounceThreshold))
         throw std::invalid_argument(

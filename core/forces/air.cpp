@@ -36,10 +36,10 @@ RestFacets facetsOf(const World& world, const AirOptions& options) {
 }
 
 template <class Real>
-std::array<Skin<Real>, 2> skinsOf(const RestFacets& facets, int vertices, double added) {
+std::array<AirSkin<Real>, 2> skinsOf(const RestFacets& facets, int vertices, double added) {
     const std::vector<double> shares = areaShares(facets, vertices);
-    return {Skin<Real>(2, facets[0], shares, added, vertices),
-            Skin<Real>(3, facets[1], shares, added, vertices)};
+    return {AirSkin<Real>(2, facets[0], shares, added, vertices),
+            AirSkin<Real>(3, facets[1], shares, added, vertices)};
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ Air<Real>::Air(const World& world, const AirOptions& options, KernelChoice kerne
       skins_(skinsOf<Real>(facetsOf(world, options), static_cast<int>(world.rest.size()),
                            options.addedMass)) {
     if (options.wind.noise > 0)
-        for (Skin<Real>& skin : skins_) skin.makeGusts();
+        for (AirSkin<Real>& skin : skins_) skin.makeGusts();
 }
 
 template <class Real>
@@ -78,7 +78,7 @@ template <class Real>
 void Air<Real>::beginFrame(const State<Real>& state, double t0, double t1, Workers& workers) {
     if (options_.wind.noise == 0) return;
     from_ = t0, to_ = t1;
-    for (Skin<Real>& skin : skins_)
+    for (AirSkin<Real>& skin : skins_)
         workers.forBlocks(skin.size(), grain, [&](int begin, int end) {
             for (int f = begin; f < end; ++f) {
                 Vec<double> middle{0, 0, 0};
@@ -139,7 +139,7 @@ void Air<Real>::apply(State<Real>& state, double t, double h, Workers& workers) 
             kernels_.impulses[legacy][kind](step, facets, begin, end);
         });
     }
-    for (const Skin<Real>& skin : skins_) {
+    for (const AirSkin<Real>& skin : skins_) {
         const AroundBlocks<Real> around = skin.around();
         workers.forBlocks(skin.vertices(), grain, [&](int begin, int end) {
             kernels_.velocities(step, around, &skin.impulses[0].v.x, begin, end);
@@ -150,7 +150,7 @@ void Air<Real>::apply(State<Real>& state, double t, double h, Workers& workers) 
 template <class Real>
 Vec<double> Air<Real>::impulse() const {
     Vec<double> sum{0, 0, 0};
-    for (const Skin<Real>& skin : skins_)
+    for (const AirSkin<Real>& skin : skins_)
         for (const Padded<Real>& p : skin.impulses)
             sum +=
                 double(skin.corners()) * Vec<double>{double(p.v.x), double(p.v.y), double(p.v.z)};

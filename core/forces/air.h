@@ -93,8 +93,8 @@ private:
 
     AirOptions options_;
     const AirTable<Real>& kernels_;
-    std::array<Skin<Real>, 2> skins_;  // edges, triangles
-    double from_ = 0, to_ = 0;         // s, the frame that gusts are known for
+    std::array<AirSkin<Real>, 2> skins_;  // edges, triangles
+    double from_ = 0, to_ = 0;            // s, the frame that gusts are known for
 };
 
 }  // namespace plait

@@ -52,8 +52,8 @@ std::vector<double> areaShares(const RestFacets& facets, int vertices) {
 }
 
 template <class Real>
-Skin<Real>::Skin(int corners, const std::vector<RestFacet>& facets,
-                 const std::vector<double>& shares, double added, int padding)
+AirSkin<Real>::AirSkin(int corners, const std::vector<RestFacet>& facets,
+                       const std::vector<double>& shares, double added, int padding)
     : corners_(corners) {
     const int members = 2 + corners, count = wholeBlocks(facets.size());
     const auto blocks = static_cast<std::size_t>(count);
@@ -76,8 +76,8 @@ Skin<Real>::Skin(int corners, const std::vector<RestFacet>& facets,
 }
 
 template <class Real>
-void Skin<Real>::layOutAround(const std::vector<RestFacet>& facets,
-                              const std::vector<double>& shares, double added, int padding) {
+void AirSkin<Real>::layOutAround(const std::vector<RestFacet>& facets,
+                                 const std::vector<double>& shares, double added, int padding) {
     std::vector<std::vector<int>> around(shares.size());
     for (int f = 0; f < static_cast<int>(facets.size()); ++f)
         for (int c = 0; c < corners_; ++c)
@@ -107,23 +107,23 @@ void Skin<Real>::layOutAround(const std::vector<RestFacet>& facets,
 }
 
 template <class Real>
-void Skin<Real>::setGust(int facet, const Vec<double>& start, const Vec<double>& change) {
+void AirSkin<Real>::setGust(int facet, const Vec<double>& start, const Vec<double>& change) {
     const double numbers[] = {start.x, start.y, start.z, change.x, change.y, change.z};
     for (int m = 0; m < 6; ++m) gusts_[slot(facet, m, 6)] = static_cast<Real>(numbers[m]);
 }
 
 template <class Real>
-FacetBlocks<Real> Skin<Real>::blocks() {
+FacetBlocks<Real> AirSkin<Real>::blocks() {
     return {ids_.data(), rows_.data(), gusts_.empty() ? nullptr : gusts_.data(), &sides[0].v.x,
             &impulses[0].v.x};
 }
 
 template <class Real>
-AroundBlocks<Real> Skin<Real>::around() const {
+AroundBlocks<Real> AirSkin<Real>::around() const {
     return {vertices_.data(), start_.data(), around_.data(), added_.data()};
 }
 
-template class Skin<float>;
-template class Skin<double>;
+template class AirSkin<float>;
+template class AirSkin<double>;
 
 }  // namespace plait

@@ -34,11 +34,11 @@ std::vector<double> areaShares(const RestFacets& facets, int vertices);
 // The facets of one kind and the vertices around them, both filled up to whole blocks: facets
 // without area on the padding vertex, and around vertices the facet `size()`, which stays 0.
 template <class Real>
-class Skin {
+class AirSkin {
 public:
     // `added` is kg of air per m^2, `padding` a vertex without mass that nothing else uses.
-    Skin(int corners, const std::vector<RestFacet>& facets, const std::vector<double>& shares,
-         double added, int padding);
+    AirSkin(int corners, const std::vector<RestFacet>& facets, const std::vector<double>& shares,
+            double added, int padding);
 
     int corners() const { return corners_; }
     int size() const { return static_cast<int>(sides.size()) - 1; }      // with padding

@@ -47,7 +47,7 @@ public:
     }
 
     long take(WholeSubstep<Real>& s) override {
-        long work = begin(s);
+        long work = prepare(s);
         const bool turn = s.sweeps == Sweeps::alternating && s.state.substep % 2 == 1;
         for (int column = 0; column < s.columns; ++column) {
             work += sweep(s, turn);  // primal
@@ -72,7 +72,7 @@ private:
         bool rigid;
     };
 
-    long begin(WholeSubstep<Real>& s) {
+    long prepare(WholeSubstep<Real>& s) {
         long work = 0;
         inverseH2_ = static_cast<Real>(1 / (s.implied * s.implied));
         goal_.clear();

@@ -1,0 +1,40 @@
+#include "woven.h"
+
+#include "stencils.h"
+
+#include <array>
+#include <cstdlib>
+
+namespace plait {
+
+ThreadOf gridThreads(int columns) {
+    return [columns](int a, int b) {
+        const int apart = std::abs(b - a);
+        return apart == 1 ? Thread::warp : apart == columns ? Thread::weft : Thread::bias;
+    };
+}
+
+std::vector<int> weave(World& world, Range cloth, const ThreadOf& threadOf, double shearStiffness,
+                       const std::string& name) {
+    std::array<Rows<Stretch>, 3> sets;
+    auto& [warp, weft, bias] = sets;
+    const Rows<Stretch> edges = restRows<Stretch>(edgeStencils(world.complex, cloth), world.rest);
+    for (std::size_t i = 0; i < edges.rows.size(); ++i) {
+        const int a = edges.ids[2 * i], b = edges.ids[2 * i + 1];
+        const Thread thread = threadOf(a - cloth.first, b - cloth.first);
+        if (thread == Thread::none) continue;
+        Rows<Stretch>& set = sets[static_cast<std::size_t>(thread)];
+        set.ids.insert(set.ids.end(), {a, b});
+        set.rows.push_back(edges.rows[i]);
+    }
+    // A square cell sheared by an angle has its diagonal longer by that times its length / 2.
+    for (auto& row : bias.rows) row.compliance = row.compression = 1 / (2 * shearStiffness);
+    world.strand(warp, {.name = name + "warp"});
+    world.strand(weft, {.name = name + "weft", .order = 1});
+    world.constrain(bias, {.name = name + "bias", .order = 2});
+    std::vector<int> threads = warp.ids;
+    threads.insert(threads.end(), weft.ids.begin(), weft.ids.end());
+    return threads;
+}
+
+}  // namespace plait
