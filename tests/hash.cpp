@@ -1,5 +1,6 @@
-// One line a scene and precision, "name precision hash": the state after 8 frames at draft, which every
-// compiler, level, lane width and number of threads must agree on (tests/run --long compares).
+// One line a scene and precision, "name precision hash": the state after 8 frames of draft, which
+// every compiler, level, lane width and number of threads must agree on
+// (tests/run --long compares).
 #include "scene.h"
 #include "solver.h"
 
