@@ -62,6 +62,7 @@ void ContactSet<Real>::cross(const Sweep<Real>& sweep, Workers& workers) {
 
 template <class Real>
 void ContactSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
+    if (options_.detection == Detection::end) return;
     cross(sweep, workers);
     for (int pass = 0; pass < innerPasses && !crossing_.empty(); ++pass) {
         for (Contact& c : crossing_) part(sweep, c);

@@ -53,7 +53,8 @@ struct Answers {
 template <class Real>
 auto ContactSet<Real>::touch(const Contact& contact, const PairPoints& start,
                              const PairPoints& end) const -> Touch {
-    if (contact.distance > 0 && movesBy(0.5 * contact.distance, contact.pair, start, end)) {
+    if (options_.detection == Detection::path && contact.distance > 0 &&
+        movesBy(0.5 * contact.distance, contact.pair, start, end)) {
         const double meet = 0.5 * std::min(contact.gap, contact.distance);
         if (const Impact t = impactOf(contact.pair, start, end, meet)) {
             PairPoints then;

@@ -28,8 +28,13 @@ struct Surface {
     bool self = true;  // meets itself
 };
 
+// Whether two have met on their way, or only how near they are where they have got to: then what is
+// fast goes through what is thin.
+enum class Detection { path, end };
+
 struct ContactOptions {
     std::string name = "contacts";
+    Detection detection = Detection::path;
     int order = 0;
     int importance = 24;
     double layerShock = 1;  // 1: layers are alike
