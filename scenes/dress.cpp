@@ -213,8 +213,9 @@ Scene dress(const Knobs& knobs) {
                        .self = self};
     };
     meet(world, {surface(outside, true), surface(inside, true), surface(body, false)},
-         {.order = 4});
-    scene.options.schedule = {.substeps = 24, .iterations = 2, .collisionPasses = 2};
+         {.detection = knobs.text("detection") == "path" ? Detection::path : Detection::end,
+          .order = 4});
+    scene.options.schedule = {.substeps = 24, .iterations = 12, .collisionPasses = 12};
     scene.options.damping = 0.02;
     scene.lead = lead;
     scene.seconds = Ballerina::seconds;
