@@ -1,6 +1,7 @@
 #include "dress.h"
 
 #include "ballerina.h"
+#include "contacts/nearest.h"
 #include "contacts/surface.h"
 #include "elementary.h"
 #include "forces/air.h"
@@ -24,7 +25,7 @@ constexpr double lead = 1.5;  // s, in which the skirt falls before the film beg
 struct Layer {
     int threads, rings;     // of vertices, around and from the waist to the hem
     double length;          // m, from waist to hem
-    double clearance;       // m, of its upper edge from the body
+    double clearance;       // m, of its upper edge from her skin
     double density;         // kg/m^2
     double rigidity;        // N m, of bending
     double shearStiffness;  // N/m
@@ -33,22 +34,64 @@ struct Layer {
     std::array<double, 3> color;
 };
 
-// Where the upper edge runs, in the frame of the waist: an ellipse, angles as seen from above.
-Vec<double> waistline(const Layer& layer, double angle) {
-    return {(Ballerina::waistWidth / 2 + layer.clearance) * cosine(angle), 0,
-            (Ballerina::waistDepth / 2 + layer.clearance) * sine(angle)};
-}
+// Where a layer is sewn on: around her waist, each point above a place of her skin and moving with
+// it.
+class Seam {
+public:
+    Seam(const Ballerina& dancer, const Layer& layer)
+        : dancer_(dancer), clearance_(layer.clearance) {
+        const Frame waist = dancer.waist(0);
+        const std::vector<Vec<double>> skin = dancer.positions(0);
+        const Vec<double> forth = cross(waist.across, waist.up);
+        for (int i = 0; i < layer.threads; ++i) {
+            const double angle = 2 * pi * i / layer.threads;
+            const Vec<double> around = Ballerina::waistWidth / 2 * cosine(angle) * waist.across +
+                                       Ballerina::waistDepth / 2 * sine(angle) * forth;
+            places_.push_back(placeBelow(waist.origin + around, skin));
+        }
+    }
 
-Vec<double> placed(const Frame& frame, const Vec<double>& x) {
-    return frame.origin + x.x * frame.across + x.y * frame.up + x.z * cross(frame.across, frame.up);
-}
+    std::vector<Vec<double>> at(double t) const {
+        const std::vector<Vec<double>> skin = dancer_.positions(t);
+        std::vector<Vec<double>> points;
+        for (const auto& [corner, weight] : places_) {
+            const Vec<double>&a = skin[corner[0]], &b = skin[corner[1]], &c = skin[corner[2]];
+            const Vec<double> out = cross(b - a, c - a);
+            points.push_back(weight[0] * a + weight[1] * b + weight[2] * c +
+                             clearance_ / length(out) * out);
+        }
+        return points;
+    }
 
-// Flat: its inside is as long as the waistline.
-Shape patternOf(const Layer& layer) {
+private:
+    struct Place {
+        std::array<int, 3> corner;  // of a triangle of her skin
+        std::array<double, 3> weight;
+    };
+
+    Place placeBelow(const Vec<double>& x, const std::vector<Vec<double>>& skin) const {
+        Place best{};
+        double least = std::numeric_limits<double>::infinity();
+        for (const auto& [a, b, c] : dancer_.triangles()) {
+            const Nearest now = nearest({{0, 1, 2, 3}, 1, 3}, {x, skin[a], skin[b], skin[c]});
+            const double distance = length(now.apart);
+            if (distance >= least) continue;
+            least = distance;
+            best = {{a, b, c}, {-now.weight[1], -now.weight[2], -now.weight[3]}};
+        }
+        return best;
+    }
+
+    Ballerina dancer_;
+    double clearance_;  // m
+    std::vector<Place> places_;
+};
+
+// Flat: its inside is as long as the seam.
+Shape patternOf(const Layer& layer, const std::vector<Vec<double>>& seam) {
     double around = 0;
     for (int i = 0; i < layer.threads; ++i)
-        around += length(waistline(layer, 2 * pi * (i + 1) / layer.threads) -
-                         waistline(layer, 2 * pi * i / layer.threads));
+        around += length(seam[(i + 1) % layer.threads] - seam[i]);
     Simplices cells;
     std::vector<Vec<double>> flat;
     for (int r = 0; r < layer.rings; ++r)
@@ -73,7 +116,8 @@ Shape patternOf(const Layer& layer) {
 
 // Every thread from waist to hem straight, in directions that wave about a cone so that they are as
 // far apart as on the pattern.
-std::vector<Vec<double>> hung(const Layer& layer, const Frame& waist) {
+std::vector<Vec<double>> hung(const Layer& layer, const Frame& waist,
+                              const std::vector<Vec<double>>& seam) {
     constexpr int pleats = 12;
     const double steep = sine(layer.steepness);
     const double wave = std::sqrt(2 * (1 - steep * steep)) / pleats;
@@ -82,10 +126,10 @@ std::vector<Vec<double>> hung(const Layer& layer, const Frame& waist) {
         for (int i = 0; i < layer.threads; ++i) {
             const double angle = 2 * pi * i / layer.threads;
             const double polar = layer.steepness + wave * cosine(pleats * angle);
-            const Vec<double> out{cosine(angle), 0, sine(angle)};
-            const Vec<double> along = sine(polar) * out + Vec<double>{0, -cosine(polar), 0};
-            const double way = layer.length * r / (layer.rings - 1);
-            start.push_back(placed(waist, waistline(layer, angle) + way * along));
+            const Vec<double> out =
+                cosine(angle) * waist.across + sine(angle) * cross(waist.across, waist.up);
+            const Vec<double> along = sine(polar) * out - cosine(polar) * waist.up;
+            start.push_back(seam[i] + layer.length * r / (layer.rings - 1) * along);
         }
     return start;
 }
@@ -104,16 +148,15 @@ std::vector<int> weave(World& world, Range cloth, const Layer& layer, const std:
 
 // Adds a layer, sewn on. Returns its vertices.
 Range addLayer(World& world, const Ballerina& dancer, const Layer& layer) {
-    const Range cloth = world.add(
-        patternOf(layer), {.density = layer.density, .start = hung(layer, dancer.waist(0))});
-    std::vector<int> seam(static_cast<std::size_t>(layer.threads));
-    for (int i = 0; i < layer.threads; ++i) seam[i] = cloth.first + i;
-    const auto follow = [dancer, layer](double t, std::span<Vec<double>> positions) {
-        const Frame waist = dancer.waist(t - lead);
-        for (int i = 0; i < layer.threads; ++i)
-            positions[i] = placed(waist, waistline(layer, 2 * pi * i / layer.threads));
-    };
-    world.pin(seam, follow);
+    const Seam seam(dancer, layer);
+    const std::vector<Vec<double>> first = seam.at(0);
+    const Range cloth =
+        world.add(patternOf(layer, first),
+                  {.density = layer.density, .start = hung(layer, dancer.waist(0), first)});
+    world.pin(pointStencils({cloth.first, cloth.first + layer.threads}),
+              [seam](double t, std::span<Vec<double>> positions) {
+                  std::ranges::copy(seam.at(t - lead), positions.begin());
+              });
     return cloth;
 }
 
