@@ -256,8 +256,7 @@ Scene dress(const Knobs& knobs) {
                        .self = self};
     };
     meet(world, {surface(outside, true), surface(inside, true), surface(body, false)},
-         {.detection = knobs.text("detection") == "path" ? Detection::path : Detection::end,
-          .order = 4});
+         {.order = 4});
     scene.options.schedule = {.substeps = 24, .iterations = 12, .collisionPasses = 12};
     scene.options.damping = 0.02;
     scene.lead = lead;
