@@ -65,7 +65,6 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
          .lesson = "Cloth that never passes through itself or the dancer, however she whirls",
          .ingredients = {"stretch", "shear", "bend", "contact", "friction", "gravity", "air"},
          .omissions = {"gusts: the air is that of a hall"},
-         .demo = true,
          .build = dress},
         {.name = "flag",
          .title = "Flag",
