@@ -73,21 +73,22 @@ void holdSheet(World& world, Range sheet, const SheetOptions& options) {
     Rows<Stretch> edges =
         restRows<Stretch>(edgeStencils(world.complex, sheet), world.rest, options.compliance);
     const bool rigid = options.compliance == 0;
+    if (options.mending > 0 && rigid)
+        world.mend(edges, {.name = "mending", .order = options.order},
+                   {.tolerance = options.mending});
     Rows<Stretch> threads;
     if (options.strands) {
         std::vector<Strand> strands = strandsOf(edges.ids, world.rest);
         const std::size_t count = putThreadsFirst(strands, world.rest.size());
         threads = edgesOf(std::span(strands).first(count), edges);
-        // An edge with compliance that two sets hold would be twice as stiff.
-        edges = edgesOf(std::span(strands).subspan(rigid ? 0 : count), edges);
+        edges = edgesOf(std::span(strands).subspan(count), edges);
     }
-    world.constrain(edges, {.name = "stretch", .order = options.order});
-    if (options.strands)
-        world.strand(threads, {.name = "strands", .order = options.order + 1}, rigid);
+    world.constrain(edges, {.name = "stretch", .order = options.order + 1});
+    if (options.strands) world.strand(threads, {.name = "strands", .order = options.order + 2});
     if (options.tethers && rigid)
-        world.constrain(tethersIn(world, sheet), {.name = "tethers", .order = options.order + 2});
+        world.constrain(tethersIn(world, sheet), {.name = "tethers", .order = options.order + 3});
     if (options.aggregates && rigid)
-        world.aggregate(edges, {.name = "aggregates", .order = options.order + 3});
+        world.aggregate(edges, {.name = "aggregates", .order = options.order + 4});
 }
 
 }  // namespace plait

@@ -24,10 +24,8 @@ class StrandSet : public Constraint<Real> {
 public:
     // `rest` by vertex, m; one vertex more is a vertex without mass that nothing else uses. Throws
     // std::invalid_argument for rows that move and for links that buckle or do not act.
-    // Links that another set holds `again` have no terms.
-    StrandSet(const Rows<Stretch>& set, std::span<const Vec<double>> rest, KernelChoice choice,
-              bool again = false)
-        : kernels_(strandKernels<Real>(choice)), set_(set), again_(again) {
+    StrandSet(const Rows<Stretch>& set, std::span<const Vec<double>> rest, KernelChoice choice)
+        : kernels_(strandKernels<Real>(choice)), set_(set) {
         if (set.animate) throw std::invalid_argument("strands: rest lengths cannot move");
         for (const auto& row : set.rows)
             if (row.compression != row.compliance)
@@ -68,10 +66,6 @@ public:
     }
     bool termsOf(std::span<const int> which, const State<Real>& state, bool curved,
                  Terms<Real>& out) const override {
-        if (again_) {
-            out.resize(0, 2, false);
-            return true;
-        }
         setTerms<Stretch>(out, set_.ids, which, curved, state,
                           [&](int i) { return narrow<Stretch, Real>(set_.rows[i]); });
         return true;
@@ -127,7 +121,6 @@ private:
 
     const StrandTable<Real>& kernels_;
     Rows<Stretch> set_;
-    bool again_;
     std::vector<Block> blocks_;
     std::vector<Share> shares_;
     std::vector<Color> colors_;

@@ -85,13 +85,13 @@ std::vector<int> World::select(Range range,
     return chosen;
 }
 
-void World::strand(const Rows<Stretch>& set, SetOptions options, bool again) {
-    const auto make = [set, again, name = options.name]<class Real>(
+void World::strand(const Rows<Stretch>& set, SetOptions options) {
+    const auto make = [set, name = options.name]<class Real>(
                           const World& world,
                           KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
         checkStencils(name, set.ids, 2, set.rows.size(), set.colors, world.start.size());
         checkNumbers(name, numbersOf(set));
-        return std::make_unique<StrandSet<Real>>(set, world.rest, kernels, again);
+        return std::make_unique<StrandSet<Real>>(set, world.rest, kernels);
     };
     constrain(recipeOf<Constraint>(make), std::move(options));
 }
@@ -110,6 +110,18 @@ void World::aggregate(const Rows<Stretch>& set, SetOptions options, int fewest) 
             links.push_back({set.ids[2 * i], set.ids[2 * i + 1], set.rows[i].rest});
         return std::make_unique<AggregateSet<Real>>(
             plait::aggregate(std::move(masses), world.rest, std::move(links), fewest), kernels);
+    };
+    constrain(recipeOf<Constraint>(make), std::move(options));
+}
+
+void World::mend(const Rows<Stretch>& set, SetOptions options, const Mending& mending) {
+    const auto make = [set, mending, name = options.name]<class Real>(
+                          const World& world,
+                          KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
+        checkStencils(name, set.ids, 2, set.rows.size(), set.colors, world.start.size());
+        checkNumbers(name, numbersOf(set));
+        const int padding = static_cast<int>(world.start.size());
+        return std::make_unique<MendSet<Real>>(set, padding, kernels, mending);
     };
     constrain(recipeOf<Constraint>(make), std::move(options));
 }

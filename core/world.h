@@ -6,6 +6,7 @@
 #include "constraint_set.h"
 #include "direct_set.h"
 #include "forces/force.h"
+#include "mend_set.h"
 #include "rows.h"
 #include "schedule.h"
 #include "shapes.h"
@@ -109,12 +110,13 @@ struct World {
     // A set of the user's own; `make` is called once for each solver.
     void constrain(Recipe<Constraint> recipe, SetOptions options, bool contact = false);
 
-    // These links strung to strands, each solved at once, in lanes (strand_set.h). `again`: another
-    // set holds them too, and methods that do not sweep ask only that one.
-    void strand(const Rows<Stretch>& set, SetOptions options, bool again = false);
+    // These links strung to strands, each solved at once, in lanes (strand_set.h).
+    void strand(const Rows<Stretch>& set, SetOptions options);
     // Coarse levels of these links (aggregate_set.h), down to `fewest` aggregates that move. Links
     // count as rigid, whatever their compliance.
     void aggregate(const Rows<Stretch>& set, SetOptions options, int fewest = 16);
+    // Those of these links that a column leaves too long, mended (mend_set.h).
+    void mend(const Rows<Stretch>& set, SetOptions options, const Mending& mending = {});
 
     // F<Real> is a Force<Real> made from (World, options), or, where it has kernels of its own,
     // from (World, options, KernelChoice).

@@ -61,7 +61,7 @@ Scene bullet(const Knobs& knobs) {
     const std::vector<int> pins = pointStencils({n * (n - 1), n * n});
     world.pin(pins);
     world.act<Gravity>(GravityOptions{});
-    holdSheet(world, sheet, {.strands = false, .aggregates = true});
+    holdSheet(world, sheet, {.strands = false, .aggregates = true, .mending = 0});
     const bool path = knobs.text("detection") == "path";
     const auto surface = [](Range vertices, double thickness) {
         return Surface{.vertices = vertices,

@@ -104,6 +104,13 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                         "tethers and coarse levels; or with all three",
                     .choices = {"sweeps", "strands", "aggregates", "all"},
                     .text = "strands"},
+                   {.name = "mending",
+                    .meaning =
+                        "how much too long a link may be, unless swept alone; 0: never mended",
+                    .unit = "%",
+                    .value = 0.8,
+                    .low = 0,
+                    .high = 10},
                    {.name = "size",
                     .meaning = "vertices along a side; 0: 16, 32 or 64 by quality",
                     .value = 0,

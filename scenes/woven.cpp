@@ -29,12 +29,14 @@ std::vector<int> weave(World& world, Range cloth, const ThreadOf& threadOf, doub
     }
     // A square cell sheared by an angle has its diagonal longer by that times its length / 2.
     for (auto& row : bias.rows) row.compliance = row.compression = 1 / (2 * shearStiffness);
+    Rows<Stretch> threads = warp;
+    threads.ids.insert(threads.ids.end(), weft.ids.begin(), weft.ids.end());
+    threads.rows.insert(threads.rows.end(), weft.rows.begin(), weft.rows.end());
+    world.mend(threads, {.name = name + "mending", .order = -1}, {.tolerance = 0.01});
     world.strand(warp, {.name = name + "warp"});
     world.strand(weft, {.name = name + "weft", .order = 1});
     world.constrain(bias, {.name = name + "bias", .order = 2});
-    std::vector<int> threads = warp.ids;
-    threads.insert(threads.end(), weft.ids.begin(), weft.ids.end());
-    return threads;
+    return threads.ids;
 }
 
 }  // namespace plait

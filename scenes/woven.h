@@ -16,8 +16,8 @@ using ThreadOf = std::function<Thread(int a, int b)>;
 // Of a grid with so many columns (shapes.h).
 ThreadOf gridThreads(int columns);
 
-// Adds the sets `warp`, `weft` and `bias`, in this order, their names led by `name`. Shear
-// stiffness in N/m. Returns warp and weft, two vertices a link.
+// Adds the sets `mending` (of warp and weft), `warp`, `weft` and `bias`, in this order, their names
+// led by `name`. Shear stiffness in N/m. Returns warp and weft, two vertices a link.
 std::vector<int> weave(World& world, Range cloth, const ThreadOf& threadOf, double shearStiffness,
                        const std::string& name = "");
 

@@ -64,7 +64,7 @@ struct Course {
 };
 
 struct Work {
-    int substeps = 12, iterations = 2;  // of a frame of 1/60 s
+    int substeps = 12, iterations = 1;  // of a frame of 1/60 s
     SheetOptions sheet = {};
     Motion motion = {};
     int frames = 120;

@@ -62,39 +62,54 @@ Work globally(int substeps, int iterations) {
             .method = Method::global};
 }
 
-void holdAll(int n) {
+// By palindromes a sheet that is shaken at 3 Hz does not swing as converged, not even by 800 of
+// them.
+void holdAll(int n, const Work& work) {
     for (const Case& of : casesOf(n)) {
-        const Course course = fall(of, globally(2, 2));
+        const Course course = fall(of, work);
+        const bool swings =
+            n == 32 && (work.method == Method::global || of.name != "shaken at 3 Hz");
         CHECK(course.worst < 0.02);
         CHECK(course.before < (of.motion ? 0.1 : 0.02));  // that begins with a jerk
         if (!of.motion) CHECK(course.energy < 1e-3);
-        if (n == 32) CHECK(std::fabs(course.swing / of.swing - 1) < 0.02);
+        if (swings) CHECK(std::fabs(course.swing / of.swing - 1) < 0.02);
     }
 }
 
 }  // namespace
 
-TEST_CASE("sheet cases: 2 steps a frame of 2 iterations of global hold all of 32 x 32 to 2 %",
-          "[inextensible]") {
-    holdAll(32);
+TEST_CASE("sheet cases: 12 palindromes a frame hold all of 32 x 32 to 2 %", "[inextensible]") {
+    holdAll(32, {});
 }
 
-TEST_CASE("sheet cases: the same of 64 x 64", "[inextensible][long]") { holdAll(64); }
+TEST_CASE("sheet cases: 12 palindromes a frame hold all of 64 x 64", "[inextensible][long]") {
+    holdAll(64, {});
+}
 
-// Printed, and seen to fail softly.
-TEST_CASE("sheet cases: 24 palindromes a frame stretch them, and no more", "[inextensible][long]") {
-    for (const int n : {32, 64})
-        for (const Case& of : casesOf(n)) {
-            const Course course = fall(of, {});
-            CHECK(course.worst < 0.5);
-            CHECK(course.before < 0.5);
-        }
+TEST_CASE("sheet cases: without mending they stretch, and no more", "[inextensible][long]") {
+    double most = 0;
+    for (const Case& of : casesOf(32)) {
+        const Course course = fall(of, {.sheet = {.mending = 0}});
+        most = std::max(most, course.worst);
+        CHECK(course.worst < 0.5);
+        CHECK(course.before < 0.5);
+    }
+    CHECK(most > 0.1);
+}
+
+TEST_CASE("sheet cases: 2 steps a frame of 2 iterations of global hold all of 32 x 32 to 2 %",
+          "[inextensible]") {
+    holdAll(32, globally(2, 2));
+}
+
+TEST_CASE("sheet cases: the same of 64 x 64", "[inextensible][long]") {
+    holdAll(64, globally(2, 2));
 }
 
 // A pin that lets go: a sheet without it that starts as the last one was. From two pins to one, and
 // then to none.
 TEST_CASE("sheet cases: pins let go one by one", "[inextensible]") {
-    for (const auto& [work, bound] : {std::pair{Work{}, 0.2}, {globally(2, 2), 0.02}}) {
+    for (const Work& work : {Work{}, globally(2, 2)}) {
         const Shape shape = square(32);
         Points at = shape.positions, velocity(at.size());
         double worst = 0, energy = 0;
@@ -113,7 +128,7 @@ TEST_CASE("sheet cases: pins let go one by one", "[inextensible]") {
                 energy = std::min(energy, now);
             }
         }
-        CHECK(report("pins let go: largest strain of all frames", worst, bound));
+        CHECK(report("pins let go: largest strain of all frames", worst, 0.02));
     }
 }
 

@@ -1,11 +1,12 @@
 #include "global.h"
 
+#include "../link_sweeps.h"
 #include "../multifrontal.h"
 #include "free_pieces.h"
-#include "link_sweeps.h"
 #include "nucleus.h"
 #include "set_roles.h"
 #include "vertex_block.h"
+#include "xpbd.h"
 
 #include <memory>
 
@@ -59,12 +60,12 @@ public:
         free_.noteMeans(s.state);
         readLinks(s);
         for (std::size_t v = 0; v < goal_.size(); ++v) goal_[v] = s.state.particles[v].d;
-        sweep(s, {.tolerance = 2e-2, .rounds = 8});
+        sweep(s, {.tolerance = 2e-2, .rings = 5, .sweeps = 30, .rounds = 8});
         for (int column = 0; column < s.columns; ++column) {
             double ratio = stiffest;
             while (!solve(s, ratio) && ratio > 1) ratio /= 4;
             move(s);
-            sweep(s, {.tolerance = 2e-3, .rounds = 2});
+            sweep(s, {.tolerance = 2e-3, .rings = 5, .sweeps = 30, .rounds = 2});
         }
         free_.keepMomentum(s);
         return work_;
@@ -107,14 +108,20 @@ private:
         }
     }
 
+    static Sweep<Real> linkSweep(WholeSubstep<Real>& s) {
+        Sweep<Real> sweep = xpbdSweep<Real>(s.implied);
+        sweep.particles = &s.state.particles[0].x.x;
+        return sweep;
+    }
+
     void sweep(WholeSubstep<Real>& s, const Mending& mending) {
         sweeps_->aim(s.state.tension);
         for (const Direction direction :
              {Direction::forward, Direction::backward, Direction::forward}) {
-            work_ += sweeps_->sweep(s.state, s.implied, direction, s.workers);
+            work_ += sweeps_->sweep(linkSweep(s), direction, s.workers);
             push(s, swept_, direction);
         }
-        work_ += sweeps_->mend(s.state, s.implied, mending, s.workers);
+        work_ += sweeps_->mend(linkSweep(s), mending, s.workers);
         for (const int k : hard_) project(s, k, nucleusSweep<Real>(1), Direction::forward);
         touch(s);
     }

@@ -79,8 +79,11 @@ Study sheetStrain(int n) {
     const auto solved = [](const Settings& settings, const char* how) {
         return with(settings, "knob.solve", how);
     };
+    const auto mended = [](const Settings& settings, const char* percent) {
+        return with(settings, "knob.mending", percent);
+    };
     const Settings strands = solved(firstOrderFloat, "strands"),
-                   coarse = solved(firstOrderFloat, "aggregates"),
+                   coarse = mended(solved(firstOrderFloat, "aggregates"), "0"),
                    plain = solved(firstOrderFloat, "sweeps"),
                    second = solved(secondOrderFloat, "sweeps");
     const auto globally = [](const char* integrator) {
@@ -91,8 +94,9 @@ Study sheetStrain(int n) {
     };
     std::vector<int> steps{5, 10, 20, 50};
     if (n <= 128) steps.push_back(100);
-    study.curves = {curve("strands and tethers, n x 2", strands, {6, 12, 24, 48}, 2),
-                    curve("strands and tethers, n x 8", strands, {6, 12, 24}, 8),
+    study.curves = {curve("strands, tethers, mended, n x 1", strands, {4, 8, 16, 32}),
+                    curve("the same to 0.1 %, n x 2", mended(strands, "0.09"), {8, 16, 32}, 2),
+                    curve("not mended, n x 2", mended(strands, "0"), {6, 12, 24, 48}, 2),
                     curve("aggregates and tethers, n x 1", coarse, steps),
                     curve("global, n x 1", globally("first"), {1, 2, 5}),
                     curve("global, BDF2, n x 2", globally("bdf2"), {1, 2, 5}, 2),
@@ -100,7 +104,7 @@ Study sheetStrain(int n) {
                     curve("sweeps, n x 1, one way", with(plain, "direction", "one-way"), steps),
                     curve("sweeps, BDF2, n x 1", second, steps),
                     curve("sweeps, BDF2, n x 4", second, {5, 10, 20}, 4)};
-    study.curves[6].flaw = gainsEnergy;
+    study.curves[7].flaw = gainsEnergy;
     study.peers = peersOnSheet(n);
     study.omissions = {
         "positions: flat, the sheet has no unique motion",

@@ -1,8 +1,8 @@
 // Links of any sets, coloured and laid out in blocks as the kernels of Stretch take them, for
-// methods that sweep over a choice of them.
+// sweeps over a choice of them.
 #pragma once
 
-#include "../constraint_set.h"
+#include "constraint_set.h"
 
 #include <vector>
 
@@ -41,7 +41,11 @@ public:
 
     // Slots, those included that only fill up a block: their ends are `padding`.
     int size() const { return slots_; }
-    long count() const { return count_; }  // links
+    long count() const { return count_; }                                        // links
+    int end(int color) const { return ends_[static_cast<std::size_t>(color)]; }  // slots
+    // Those of a slot, as lanes load them.
+    const int* ids(int slot) const { return &ids_[at<2>(slot, 0)]; }
+    const Real* rows(int slot) const { return &rows_[at<3>(slot, 0)]; }
     int vertex(int slot, int end) const { return ids_[at<2>(slot, end)]; }
     Row row(int slot) const {
         return {rows_[at<3>(slot, 0)], rows_[at<3>(slot, 1)], rows_[at<3>(slot, 2)]};
@@ -50,16 +54,6 @@ public:
         rows_[at<3>(slot, 0)] = row.rest;
         rows_[at<3>(slot, 1)] = row.compliance;
         rows_[at<3>(slot, 2)] = row.compression;
-    }
-
-    // body(slot) of each, and end() where a colour ends.
-    template <class Body, class End>
-    void forEachColor(const Body& body, const End& end) const {
-        int slot = 0;
-        for (const int last : ends_) {
-            while (slot < last) body(slot++);
-            end();
-        }
     }
 
     // body(begin, end) of slots, none of which share a vertex.
