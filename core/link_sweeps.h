@@ -41,7 +41,8 @@ public:
             all_.endColor();
         }
         rows_.resize(static_cast<std::size_t>(all_.size()));
-        off_.resize(rows_.size() / blockSize);
+        blocks_.resize(rows_.size() / blockSize);
+        off_.reserve(rows_.size());
         for (std::size_t c = 0; c < byColor_.size(); ++c)
             color_.resize(static_cast<std::size_t>(all_.end(static_cast<int>(c))),
                           static_cast<int>(c));
@@ -76,8 +77,11 @@ public:
     long mend(const Sweep<Real>& sweep, const Mending& mending, Workers& workers) {
         long work = 0;
         for (int round = 0; round < mending.rounds; ++round) {
-            findOff(sweep, mending.tolerance, workers);
-            if (!markNear(sweep, mending)) break;
+            if (round == 0)
+                findOff(sweep, mending.tolerance, workers);
+            else
+                findStillOff(sweep, mending.tolerance);
+            if (!markNear(mending.rings)) break;
             activateNear();
             for (int i = 0; i < mending.sweeps; ++i)
                 work += active_.project(sweep, i % 2 ? Direction::backward : Direction::forward,
@@ -115,19 +119,35 @@ private:
                       select(-c > much, select(row.compression < T(slack), T(1), T(0)), T(0)));
     }
 
+    // Fills off_: the few blocks that have one are gone through once more.
     [[gnu::flatten]] void findOff(const Sweep<Real>& sweep, double tolerance, Workers& workers) {
         constexpr int lanes = Lanes<Wide>::count;
         constexpr int grain = 64;
-        workers.forBlocks(static_cast<int>(off_.size()), grain, [&](int begin, int end) {
+        workers.forBlocks(static_cast<int>(blocks_.size()), grain, [&](int begin, int end) {
             for (int block = begin; block < end; ++block) {
                 Wide sum(0);
                 for (int n = 0; n < blockSize; n += lanes)
                     sum = sum + isOff<Wide>(sweep, block * blockSize + n, tolerance);
                 Real sums[lanes];
                 store(sums, sum);
-                off_[block] = std::any_of(sums, sums + lanes, [](Real s) { return s > Real(0); });
+                blocks_[block] =
+                    std::any_of(sums, sums + lanes, [](Real s) { return s > Real(0); });
             }
         });
+        off_.clear();
+        for (int block = 0; block < static_cast<int>(blocks_.size()); ++block)
+            for (int n = block * blockSize; blocks_[block] && n < (block + 1) * blockSize; ++n)
+                if (isOff<Real>(sweep, n, tolerance) > Real(0)) off_.push_back(n);
+    }
+
+    // The same where only marked vertices have moved since.
+    void findStillOff(const Sweep<Real>& sweep, double tolerance) {
+        off_.clear();
+        for (const int v : marked_)
+            for (const int n : slotsAt_[v])
+                if ((all_.vertex(n, 0) == v || !near_[all_.vertex(n, 0)]) &&
+                    isOff<Real>(sweep, n, tolerance) > Real(0))
+                    off_.push_back(n);
     }
 
     void mark(int v) {
@@ -137,17 +157,12 @@ private:
     }
 
     // Marks the vertices of links that are off and, ring by ring, their neighbours. False: none is.
-    bool markNear(const Sweep<Real>& sweep, const Mending& mending) {
+    bool markNear(int rings) {
         for (const int v : marked_) near_[v] = 0;
         marked_.clear();
-        for (int block = 0; block < static_cast<int>(off_.size()); ++block) {
-            if (!off_[block]) continue;
-            for (int n = block * blockSize; n < (block + 1) * blockSize; ++n)
-                if (isOff<Real>(sweep, n, mending.tolerance) > Real(0))
-                    mark(all_.vertex(n, 0)), mark(all_.vertex(n, 1));
-        }
+        for (const int n : off_) mark(all_.vertex(n, 0)), mark(all_.vertex(n, 1));
         std::size_t begin = 0;
-        for (int ring = 0; ring < mending.rings; ++ring)
+        for (int ring = 0; ring < rings; ++ring)
             for (const std::size_t end = marked_.size(); begin < end; ++begin)
                 for (const int n : slotsAt_[marked_[begin]])
                     mark(all_.vertex(n, 0)), mark(all_.vertex(n, 1));
@@ -171,12 +186,13 @@ private:
 
     const KernelTable<Real>& kernels_;
     LinkBlocks<Real> all_, active_;
-    std::vector<Row> rows_;           // by slot
-    std::vector<int> slots_;          // by link
-    std::vector<int> color_;          // by slot
-    Csr slotsAt_;                     // by vertex
-    std::vector<std::uint8_t> off_;   // by block: a link is off
-    std::vector<std::uint8_t> near_;  // by vertex: marked
+    std::vector<Row> rows_;             // by slot
+    std::vector<int> slots_;            // by link
+    std::vector<int> color_;            // by slot
+    Csr slotsAt_;                       // by vertex
+    std::vector<std::uint8_t> blocks_;  // by block: a link is off
+    std::vector<int> off_;              // slots
+    std::vector<std::uint8_t> near_;    // by vertex: marked
     std::vector<int> marked_;
     std::vector<std::vector<int>> byColor_;  // slots that are to be swept
 };

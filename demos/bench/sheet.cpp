@@ -126,11 +126,11 @@ int benchSheet(int threads) {
                     .iterations = iterations,
                     .mending = mending};
     };
-    for (const Case& of : {strands(64, 8, 1), strands(64, 8, 1, 0), strands(64, 12, 2, 0.09),
+    for (const Case& of : {strands(64, 8, 1), strands(64, 8, 1, 0), strands(64, 16, 2, 0.09),
                            strands(64, 20, 10, 0), global(64, "first"), global(64, "bdf2"),
                            Case{64, "strands", 200, 4, "xpbd", "first", "double", 1, 0},
-                           strands(128, 8, 1), strands(128, 8, 1, 0), strands(128, 16, 2, 0.09),
-                           global(128, "first"), strands(256, 16, 1), strands(512, 32, 1)})
+                           strands(128, 8, 1), strands(128, 8, 1, 0), strands(128, 24, 2, 0.09),
+                           global(128, "first"), strands(256, 16, 1), strands(512, 48, 1)})
         print(of, threads);
     return exitOk;
 }
