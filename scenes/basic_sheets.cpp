@@ -83,7 +83,7 @@ Scene hangingSheet(const Knobs& knobs) {
         scene.options.integrator = Integrator::bdf2;
     }
     scene.metrics = {greatestStrain(scene.world, sheet, {0, strands ? 2.0 : 40.0}),
-                     commonStrain(scene.world, sheet, {0, strands ? 1.0 : 8.0}),
+                     commonStrain(scene.world, sheet, {0, strands ? 1.5 : 8.0}),
                      lowestHeight({-1.1, 1e-6})};
     View& view = scene.view;
     view = viewOf({sheet}, {0.5, -0.5, -0.2}, 1.3, Material::cotton, {0.7, 0.5, 2.6});
