@@ -143,7 +143,7 @@ std::vector<int> weave(World& world, Range cloth, const Layer& layer, const std:
     };
     world.constrain(bendRows(world.complex, cloth, world.rest, layer.rigidity),
                     {.name = name + "bend", .order = 3});
-    return plait::weave(world, cloth, threadOf, layer.shearStiffness, name);
+    return plait::weave(world, cloth, threadOf, layer.shearStiffness, name, 0.01);
 }
 
 // Adds a layer, sewn on. Returns its vertices.

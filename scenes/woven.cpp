@@ -15,7 +15,7 @@ ThreadOf gridThreads(int columns) {
 }
 
 std::vector<int> weave(World& world, Range cloth, const ThreadOf& threadOf, double shearStiffness,
-                       const std::string& name) {
+                       const std::string& name, double mending) {
     std::array<Rows<Stretch>, 3> sets;
     auto& [warp, weft, bias] = sets;
     const Rows<Stretch> edges = restRows<Stretch>(edgeStencils(world.complex, cloth), world.rest);
@@ -32,7 +32,8 @@ std::vector<int> weave(World& world, Range cloth, const ThreadOf& threadOf, doub
     Rows<Stretch> threads = warp;
     threads.ids.insert(threads.ids.end(), weft.ids.begin(), weft.ids.end());
     threads.rows.insert(threads.rows.end(), weft.rows.begin(), weft.rows.end());
-    world.mend(threads, {.name = name + "mending", .order = -1}, {.tolerance = 0.01});
+    if (mending > 0)
+        world.mend(threads, {.name = name + "mending", .order = -1}, {.tolerance = mending});
     world.strand(warp, {.name = name + "warp"});
     world.strand(weft, {.name = name + "weft", .order = 1});
     world.constrain(bias, {.name = name + "bias", .order = 2});

@@ -16,9 +16,10 @@ using ThreadOf = std::function<Thread(int a, int b)>;
 // Of a grid with so many columns (shapes.h).
 ThreadOf gridThreads(int columns);
 
-// Adds the sets `mending` (of warp and weft), `warp`, `weft` and `bias`, in this order, their names
-// led by `name`. Shear stiffness in N/m. Returns warp and weft, two vertices a link.
+// Adds the sets `mending` (of warp and weft, to this part of their length; 0: none), `warp`, `weft`
+// and `bias`, in this order, their names led by `name`. Shear stiffness in N/m. Returns warp and
+// weft, two vertices a link.
 std::vector<int> weave(World& world, Range cloth, const ThreadOf& threadOf, double shearStiffness,
-                       const std::string& name = "");
+                       const std::string& name = "", double mending = 0);
 
 }  // namespace plait
