@@ -1,13 +1,13 @@
 #include "dress.h"
 
 #include "ballerina.h"
-#include "contacts/nearest.h"
 #include "contacts/surface.h"
 #include "elementary.h"
 #include "forces/air.h"
 #include "forces/gravity.h"
 #include "measure/penetration.h"
 #include "measures.h"
+#include "seam.h"
 #include "stencils.h"
 #include "views.h"
 #include "woven.h"
@@ -24,6 +24,7 @@ constexpr double lead = 1.5;  // s, in which the skirt falls before the film beg
 // A layer of the skirt: a ring cut from cloth that lies flat, sewn to the waist along its inside.
 struct Layer {
     int threads, rings;     // of vertices, around and from the waist to the hem
+    int gathered;           // rings of links below the waist that may fold
     double length;          // m, from waist to hem
     double clearance;       // m, of its upper edge from her skin
     double density;         // kg/m^2
@@ -34,71 +35,17 @@ struct Layer {
     std::array<double, 3> color;
 };
 
-// Where a layer is sewn on: around her waist, each point above a place of her skin and moving with
-// it.
-class Seam {
-public:
-    Seam(const Ballerina& dancer, const Layer& layer)
-        : dancer_(dancer), clearance_(layer.clearance) {
-        const Frame waist = dancer.waist(0);
-        const std::vector<Vec<double>> skin = dancer.positions(0);
-        const Vec<double> forth = cross(waist.across, waist.up);
-        for (int i = 0; i < layer.threads; ++i) {
-            const double angle = 2 * pi * i / layer.threads;
-            const Vec<double> around = Ballerina::waistWidth / 2 * cosine(angle) * waist.across +
-                                       Ballerina::waistDepth / 2 * sine(angle) * forth;
-            places_.push_back(placeBelow(waist.origin + around, skin));
-        }
-    }
-
-    std::vector<Vec<double>> at(double t) const {
-        const std::vector<Vec<double>> skin = dancer_.positions(t);
-        std::vector<Vec<double>> points;
-        for (const auto& [corner, weight] : places_) {
-            const Vec<double>&a = skin[corner[0]], &b = skin[corner[1]], &c = skin[corner[2]];
-            const Vec<double> out = cross(b - a, c - a);
-            points.push_back(weight[0] * a + weight[1] * b + weight[2] * c +
-                             clearance_ / length(out) * out);
-        }
-        return points;
-    }
-
-private:
-    struct Place {
-        std::array<int, 3> corner;  // of a triangle of her skin
-        std::array<double, 3> weight;
-    };
-
-    Place placeBelow(const Vec<double>& x, const std::vector<Vec<double>>& skin) const {
-        Place best{};
-        double least = std::numeric_limits<double>::infinity();
-        for (const auto& [a, b, c] : dancer_.triangles()) {
-            const Nearest now = nearest({{0, 1, 2, 3}, 1, 3}, {x, skin[a], skin[b], skin[c]});
-            const double distance = length(now.apart);
-            if (distance >= least) continue;
-            least = distance;
-            best = {{a, b, c}, {-now.weight[1], -now.weight[2], -now.weight[3]}};
-        }
-        return best;
-    }
-
-    Ballerina dancer_;
-    double clearance_;  // m
-    std::vector<Place> places_;
-};
-
-// Flat: its inside is as long as the seam.
-Shape patternOf(const Layer& layer, const std::vector<Vec<double>>& seam) {
-    double around = 0;
-    for (int i = 0; i < layer.threads; ++i)
-        around += length(seam[(i + 1) % layer.threads] - seam[i]);
+// Flat: cut to lie around the seam in the plane of the waist, where it is when she whirls.
+Shape patternOf(const Layer& layer, const Frame& waist, const Seam& seam) {
+    const std::vector<Vec<double>> sewn = seam.at(0);
+    const Vec<double> forth = cross(waist.across, waist.up);
     Simplices cells;
     std::vector<Vec<double>> flat;
     for (int r = 0; r < layer.rings; ++r)
         for (int i = 0; i < layer.threads; ++i) {
-            const double radius = around / (2 * pi) + layer.length * r / (layer.rings - 1);
-            const double angle = 2 * pi * i / layer.threads;
-            flat.push_back({radius * cosine(angle), 0, radius * sine(angle)});
+            const Vec<double> x =
+                sewn[i] - waist.origin + layer.length * r / (layer.rings - 1) * seam.outwards()[i];
+            flat.push_back({dot(x, waist.across), 0, dot(x, forth)});
             if (r + 1 == layer.rings) continue;
             const int a = r * layer.threads + i, b = r * layer.threads + (i + 1) % layer.threads;
             const int c = a + layer.threads, d = b + layer.threads;
@@ -116,30 +63,32 @@ Shape patternOf(const Layer& layer, const std::vector<Vec<double>>& seam) {
 
 // Every thread from waist to hem straight, in directions that wave about a cone so that they are as
 // far apart as on the pattern.
-std::vector<Vec<double>> hung(const Layer& layer, const Frame& waist,
-                              const std::vector<Vec<double>>& seam) {
+std::vector<Vec<double>> hung(const Layer& layer, const Frame& waist, const Seam& seam) {
     constexpr int pleats = 12;
     const double steep = sine(layer.steepness);
     const double wave = std::sqrt(2 * (1 - steep * steep)) / pleats;
+    const std::vector<Vec<double>> sewn = seam.at(0);
+    std::vector<Vec<double>> along;
+    double angle = 0;
+    for (int i = 0; i < layer.threads; ++i) {
+        const Vec<double>& out = seam.outwards()[i];
+        const double polar = layer.steepness + wave * cosine(pleats * angle);
+        along.push_back(sine(polar) * out - cosine(polar) * waist.up);
+        angle += length(seam.outwards()[(i + 1) % layer.threads] - out);
+    }
     std::vector<Vec<double>> start;
     for (int r = 0; r < layer.rings; ++r)
-        for (int i = 0; i < layer.threads; ++i) {
-            const double angle = 2 * pi * i / layer.threads;
-            const double polar = layer.steepness + wave * cosine(pleats * angle);
-            const Vec<double> out =
-                cosine(angle) * waist.across + sine(angle) * cross(waist.across, waist.up);
-            const Vec<double> along = sine(polar) * out - cosine(polar) * waist.up;
-            start.push_back(seam[i] + layer.length * r / (layer.rings - 1) * along);
-        }
+        for (int i = 0; i < layer.threads; ++i)
+            start.push_back(sewn[i] + layer.length * r / (layer.rings - 1) * along[i]);
     return start;
 }
 
 // Threads down and rings around, but for the one that is sewn on. Returns them, two vertices a
 // link.
 std::vector<int> weave(World& world, Range cloth, const Layer& layer, const std::string& name) {
-    const auto threadOf = [n = layer.threads](int a, int b) {
-        if (a / n == b / n) return a < n ? Thread::none : Thread::weft;
-        return a % n == b % n ? Thread::warp : Thread::bias;
+    const auto threadOf = [n = layer.threads, gathered = layer.gathered](int a, int b) {
+        if (a / n != b / n) return a % n == b % n ? Thread::warp : Thread::bias;
+        return a < n ? Thread::none : a / n <= gathered ? Thread::gather : Thread::weft;
     };
     world.constrain(bendRows(world.complex, cloth, world.rest, layer.rigidity),
                     {.name = name + "bend", .order = 3});
@@ -148,11 +97,11 @@ std::vector<int> weave(World& world, Range cloth, const Layer& layer, const std:
 
 // Adds a layer, sewn on. Returns its vertices.
 Range addLayer(World& world, const Ballerina& dancer, const Layer& layer) {
-    const Seam seam(dancer, layer);
-    const std::vector<Vec<double>> first = seam.at(0);
+    const Seam seam({dancer.triangles(), [dancer](double t) { return dancer.positions(t); }},
+                    dancer.waist(0), layer.clearance, layer.length / 3, layer.threads);
     const Range cloth =
-        world.add(patternOf(layer, first),
-                  {.density = layer.density, .start = hung(layer, dancer.waist(0), first)});
+        world.add(patternOf(layer, dancer.waist(0), seam),
+                  {.density = layer.density, .start = hung(layer, dancer.waist(0), seam)});
     world.pin(pointStencils({cloth.first, cloth.first + layer.threads}),
               [seam](double t, std::span<Vec<double>> positions) {
                   std::ranges::copy(seam.at(t - lead), positions.begin());
@@ -237,10 +186,13 @@ Scene dress(const Knobs& knobs) {
     Scene scene;
     World& world = scene.world;
     const Ballerina dancer;
-    const int threads = knobs.byQuality(90, 180, 360), rings = knobs.byQuality(15, 29, 57);
+    const int threads = knobs.byQuality(90, 180, 360), rings = knobs.byQuality(15, 29, 57),
+              gathered = (rings - 1) / 5;
     constexpr std::array vermilion{0.578, 0.032, 0.014}, rose{0.72, 0.32, 0.27};
-    const Layer silk{threads, rings, 0.42, 0.012, 0.09, 2e-6, 10, 0.75, Material::silk, vermilion};
-    const Layer tulle{threads, rings, 0.40, 0.006, 0.04, 4e-6, 10, 0.70, Material::tulle, rose};
+    const Layer silk{threads, rings, gathered, 0.42,           0.012,    0.09,
+                     2e-6,    10,    0.75,     Material::silk, vermilion};
+    const Layer tulle{threads, rings, gathered,        0.40, 0.006, 0.04, 4e-6,
+                      10,      0.70,  Material::tulle, rose};
     const Range outside = addLayer(world, dancer, silk), inside = addLayer(world, dancer, tulle);
     const Range body = addBody(world, dancer), skirt{outside.first, inside.last};
     world.act<Gravity>(GravityOptions{});

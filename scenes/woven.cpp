@@ -16,8 +16,8 @@ ThreadOf gridThreads(int columns) {
 
 std::vector<int> weave(World& world, Range cloth, const ThreadOf& threadOf, double shearStiffness,
                        const std::string& name, double mending) {
-    std::array<Rows<Stretch>, 3> sets;
-    auto& [warp, weft, bias] = sets;
+    std::array<Rows<Stretch>, 4> sets;
+    auto& [warp, weft, gathers, bias] = sets;
     const Rows<Stretch> edges = restRows<Stretch>(edgeStencils(world.complex, cloth), world.rest);
     for (std::size_t i = 0; i < edges.rows.size(); ++i) {
         const int a = edges.ids[2 * i], b = edges.ids[2 * i + 1];
@@ -29,13 +29,17 @@ std::vector<int> weave(World& world, Range cloth, const ThreadOf& threadOf, doub
     }
     // A square cell sheared by an angle has its diagonal longer by that times its length / 2.
     for (auto& row : bias.rows) row.compliance = row.compression = 1 / (2 * shearStiffness);
+    for (auto& row : gathers.rows) row.compression = slack;
     Rows<Stretch> threads = warp;
-    threads.ids.insert(threads.ids.end(), weft.ids.begin(), weft.ids.end());
-    threads.rows.insert(threads.rows.end(), weft.rows.begin(), weft.rows.end());
+    for (const auto* set : {&weft, &gathers}) {
+        threads.ids.insert(threads.ids.end(), set->ids.begin(), set->ids.end());
+        threads.rows.insert(threads.rows.end(), set->rows.begin(), set->rows.end());
+    }
     if (mending > 0)
         world.mend(threads, {.name = name + "mending", .order = -1}, {.tolerance = mending});
     world.strand(warp, {.name = name + "warp"});
     world.strand(weft, {.name = name + "weft", .order = 1});
+    if (!gathers.rows.empty()) world.constrain(gathers, {.name = name + "gathers", .order = 1});
     world.constrain(bias, {.name = name + "bias", .order = 2});
     return threads.ids;
 }
