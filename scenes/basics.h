@@ -15,6 +15,7 @@ Scene sampler(const Knobs&);
 Scene sheetOnSphere(const Knobs&);
 Scene softPins(const Knobs&);
 Scene stripInWind(const Knobs&);
+Scene tablecloth(const Knobs&);
 Scene unitSpring(const Knobs&);
 Scene windGauge(const Knobs&);
 

@@ -1,0 +1,89 @@
+// Small scenes in which matter meets matter, against mechanics.
+#include "catch.h"
+#include "contact_worlds.h"
+#include "report.h"
+#include "scene.h"
+
+using namespace plait;
+using namespace plait::test;
+
+namespace {
+
+constexpr double g = 9.81;
+
+Scene sceneWith(const std::string& name, const std::string& knob, double value) {
+    const SceneEntry& entry = findScene(name);
+    Knobs knobs = Knobs::defaults(entry.knobs, Quality::draft);
+    knobs.numbers.at(knob) = value;
+    return entry.build(knobs);
+}
+
+int framesOf(const Scene& scene) { return static_cast<int>(24 * scene.seconds); }
+
+// All bands of a scene, in each of the frames. Returns where everything is then (m).
+Points holdToBands(const Scene& scene, int frames) {
+    Solver<float> solver(scene.world, scene.options);
+    std::vector<double> most(scene.metrics.size(), -1e300);
+    for (int frame = 1; frame <= frames; ++frame) {
+        solver.frame();
+        const Points x = solver.positions(), v = solver.velocities();
+        for (std::size_t i = 0; i < most.size(); ++i) {
+            const Metric& metric = scene.metrics[i];
+            const double value = metric.measure({x, v, solver.time(), frame});
+            most[i] = std::max(most[i], value);
+            if (solver.time() < metric.from) continue;
+            INFO(metric.name << " in frame " << frame);
+            CHECK(value >= metric.low);
+            CHECK(value <= metric.high);
+        }
+    }
+    for (std::size_t i = 0; i < most.size(); ++i) note(scene.metrics[i].name + " at most", most[i]);
+    return solver.positions();
+}
+
+}  // namespace
+
+// While the cloth slides away below it, for T, a tin gains mu g T; then it slides on the table as
+// far again before it stops.
+TEST_CASE("tablecloth: friction alone moves what stands on it", "[contacts][friction][scenes]") {
+    struct Course {
+        Range tin;
+        double on = 0, off = 0, speed = 0;  // s, s, m/s
+    };
+    for (const double mu : {0.3, 0.15}) {
+        const Scene scene = sceneWith("tablecloth", "friction", mu);
+        // The flat ones: tall ones rock.
+        std::array<Course, 2> courses{{{scene.view.looks[2].object}, {scene.view.looks[4].object}}};
+        Solver<float> solver(scene.world, scene.options);
+        for (int frame = 1; frame <= framesOf(scene); ++frame) {
+            solver.frame();
+            const Points x = solver.positions(), v = solver.velocities();
+            for (Course& course : courses) {
+                course.speed = std::max(course.speed, meanOf(v, course.tin).z);
+                // Vertex 0 is at the cloth's rear hem.
+                if (course.on == 0 && v[0].z > 0.05) course.on = solver.time();
+                if (course.off == 0 && x[0].z > meanOf(x, course.tin).z) course.off = solver.time();
+            }
+        }
+        for (const auto& [tin, on, off, speed] : courses) {
+            const double moved =
+                meanOf(solver.positions(), tin).z - meanOf(scene.world.start, tin).z;
+            note("moved by, m", moved);
+            CHECK(report("speed / mu g T", std::fabs(speed / (mu * g * (off - on)) - 1), 0.1));
+            CHECK(
+                report("way / (v^2 / mu g)", std::fabs(moved * mu * g / (speed * speed) - 1), 0.1));
+        }
+    }
+}
+
+TEST_CASE("tablecloth: nothing goes through the table at 8 m/s", "[contacts][scenes]") {
+    const Scene scene = sceneWith("tablecloth", "speed", 8);
+    holdToBands(scene, framesOf(scene));
+}
+
+TEST_CASE("tablecloth: nothing goes through the table at any speed", "[contacts][scenes][long]") {
+    for (const double speed : {0.5, 1.0, 2.0, 3.0, 5.0, 6.0, 7.0}) {
+        const Scene scene = sceneWith("tablecloth", "speed", speed);
+        holdToBands(scene, framesOf(scene));
+    }
+}
