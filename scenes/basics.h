@@ -16,6 +16,7 @@ Scene sheetOnSphere(const Knobs&);
 Scene softPins(const Knobs&);
 Scene stripInWind(const Knobs&);
 Scene tablecloth(const Knobs&);
+Scene trampoline(const Knobs&);
 Scene unitSpring(const Knobs&);
 Scene windGauge(const Knobs&);
 

@@ -1,6 +1,7 @@
 // Small scenes in which matter meets matter, against mechanics.
 #include "catch.h"
 #include "contact_worlds.h"
+#include "measure/energy.h"
 #include "report.h"
 #include "scene.h"
 
@@ -86,4 +87,44 @@ TEST_CASE("tablecloth: nothing goes through the table at any speed", "[contacts]
         const Scene scene = sceneWith("tablecloth", "speed", speed);
         holdToBands(scene, framesOf(scene));
     }
+}
+
+// Nothing has restitution: what bounces has moved the sheet, and the sheet what lies on it.
+TEST_CASE("trampoline: it throws back, and never more than fell on it", "[contacts][scenes]") {
+    const Scene scene = sceneWith("trampoline", "drop", 0.5);
+    const World& world = scene.world;
+    const Range sheet = scene.view.looks[0].object, light = scene.view.looks[2].object,
+                heavy = scene.view.looks[3].object;
+    std::vector<std::array<int, 2>> edges;
+    std::vector<double> rest;
+    const std::vector<int> ids = edgeStencils(world.complex, sheet);
+    for (std::size_t i = 0; i < ids.size(); i += 2) {
+        edges.push_back({ids[i], ids[i + 1]});
+        rest.push_back(length(world.rest[ids[i + 1]] - world.rest[ids[i]]));
+    }
+    const std::vector<double> soft(edges.size(), 1 / 250.0);
+    std::vector<double> mass = world.mass;
+    for (std::size_t v = 0; v < mass.size(); ++v)
+        if (world.pinned[v]) mass[v] = 0;
+    Solver<float> solver(world, scene.options);
+    const auto energy = [&] {
+        const Points x = solver.positions();
+        return kineticEnergy(mass, solver.velocities()) + gravitationalEnergy(mass, x, {0, -g, 0}) +
+               stretchEnergy(x, edges, rest, soft);
+    };
+    const double fall = 0.5, weight = 0.4 * g;  // m, N
+    double start = 0, gained = 0, thrown = 0, back = 0;
+    for (int frame = 1; frame <= 24; ++frame) {
+        solver.frame();
+        if (frame == 4) start = energy();  // once the threads have shared their tension
+        if (frame > 4) gained = std::max(gained, energy() - start);
+        const Points x = solver.positions();
+        if (frame > 10) back = std::max(back, meanOf(x, heavy).y - 0.08);
+        thrown = std::max(thrown, meanOf(x, light).y - meanOf(world.start, light).y);
+    }
+    CHECK(report("energy gained, of what the heavy ball fell", gained / (weight * fall), 0.01));
+    note("part of its fall that the heavy ball comes back", back / fall);
+    CHECK(back > 0.5 * fall);
+    note("the light one is thrown, m", thrown);
+    CHECK(thrown > 0.1);
 }
