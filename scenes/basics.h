@@ -10,6 +10,7 @@ Scene bullet(const Knobs&);
 Scene cantilever(const Knobs&);
 Scene hangingChain(const Knobs&);
 Scene hangingSheet(const Knobs&);
+Scene layeredSheets(const Knobs&);
 Scene pendulum(const Knobs&);
 Scene sampler(const Knobs&);
 Scene sheetOnSphere(const Knobs&);

@@ -1,6 +1,7 @@
 #include "measures.h"
 
 #include "measure/energy.h"
+#include "measure/gap.h"
 #include "measure/geometry.h"
 #include "measure/intersections.h"
 #include "measure/strain.h"
@@ -61,6 +62,17 @@ Metric selfIntersections(const World& world, Range range, Band band) {
     }
     return metricOf("crossings", "", band, [=](const Snapshot& at) {
         return static_cast<double>(countIntersections(at.positions, triangles));
+    });
+}
+
+Metric leastGap(const World& world, Range range, double within, Band band) {
+    std::vector<std::array<int, 3>> triangles;
+    for (int i = 0; i < world.complex.count(2); ++i)
+        if (const auto triangle = world.complex.triangle(i);
+            triangle[0] >= range.first && triangle[0] < range.last)
+            triangles.push_back(triangle);
+    return metricOf("gap", "mm", band, [=](const Snapshot& at) {
+        return 1000 * leastGap(at.positions, triangles, within / 1000);
     });
 }
 

@@ -128,3 +128,33 @@ TEST_CASE("trampoline: it throws back, and never more than fell on it", "[contac
     note("the light one is thrown, m", thrown);
     CHECK(thrown > 0.1);
 }
+
+TEST_CASE("layered sheets: each lies its thickness above the one below", "[contacts][scenes]") {
+    const Scene scene = sceneWith("layered-sheets", "shock", 4);
+    const Points x = holdToBands(scene, 24);
+    // Of the middle, on the ball's top.
+    const auto height = [&](int sheet) {
+        const Range range = scene.view.looks[sheet].object;
+        return x[range.first + range.size() / 2].y;
+    };
+    for (const int sheet : {1, 2})
+        CHECK(
+            report("apart, mm", 1000 * std::fabs(height(sheet) - height(sheet - 1) - 0.004), 0.5));
+}
+
+// To less than a mm of 4; with it, 2.5 is their band.
+TEST_CASE("layered sheets: without a shock of layers they are squeezed as they land",
+          "[contacts][scenes]") {
+    const Scene scene = sceneWith("layered-sheets", "shock", 1);
+    const auto gap = std::ranges::find(scene.metrics, "gap", &Metric::name);
+    REQUIRE(gap != scene.metrics.end());
+    Solver<float> solver(scene.world, scene.options);
+    double least = 4;
+    for (int frame = 1; frame <= 9; ++frame) {
+        solver.frame();
+        const Points x = solver.positions(), v = solver.velocities();
+        least = std::min(least, gap->measure({x, v, solver.time(), frame}));
+    }
+    note("least gap, mm", least);
+    CHECK(least < 1);
+}
