@@ -11,6 +11,7 @@ Scene cantilever(const Knobs&);
 Scene hangingChain(const Knobs&);
 Scene hangingSheet(const Knobs&);
 Scene layeredSheets(const Knobs&);
+Scene medley(const Knobs&);
 Scene pendulum(const Knobs&);
 Scene sampler(const Knobs&);
 Scene sheetOnSphere(const Knobs&);

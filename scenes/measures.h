@@ -22,7 +22,7 @@ Metric commonStrain(const World& world, const std::vector<int>& links, Band band
 Metric greatestStrain(const World& world, Range range, Band band);
 Metric commonStrain(const World& world, Range range, Band band);
 
-// Pairs of an edge and a triangle of the sheet `range` that go through each other.
+// Pairs of an edge, of a sheet or a curve, and a triangle of `range` that go through each other.
 Metric selfIntersections(const World& world, Range range, Band band);
 
 // In mm: the least distance within and between the sheets of `range`; `within` (mm) if it is

@@ -1,6 +1,7 @@
 // Small scenes in which matter meets matter, against mechanics.
 #include "catch.h"
 #include "contact_worlds.h"
+#include "contacts/nearest.h"
 #include "measure/energy.h"
 #include "report.h"
 #include "scene.h"
@@ -157,4 +158,32 @@ TEST_CASE("layered sheets: without a shock of layers they are squeezed as they l
     }
     note("least gap, mm", least);
     CHECK(least < 1);
+}
+
+// Beads with beads, and ropes with beads and ropes.
+TEST_CASE("medley: nothing comes nearer than its thickness", "[contacts][scenes]") {
+    const Scene scene = sceneWith("medley", "beads", 40);
+    const Points x = holdToBands(scene, 36);
+    const auto& looks = scene.view.looks;
+    const Range beads = looks[4].object;
+    const double bead = looks[4].radius, rope = looks[1].radius;
+    const auto apart = [&](const Pairing& pair) {
+        const auto& v = pair.vertices;
+        return length(nearest(pair, {x[v[0]], x[v[1]], x[v[2]], x[v[3]]}).apart);
+    };
+    double balls = 1, mixed = 1, ropes = 1;
+    for (int b = beads.first; b < beads.last; ++b) {
+        for (int c = b + 1; c < beads.last; ++c)
+            balls = std::min(balls, length(x[c] - x[b]) / (2 * bead));
+        for (int r = looks[1].object.first; r < looks[3].object.last; ++r)
+            mixed = std::min(mixed, length(x[r] - x[b]) / (bead + rope));
+    }
+    for (int i = 1; i <= 3; ++i)
+        for (int j = i + 1; j <= 3; ++j)
+            for (int a = looks[i].object.first; a + 1 < looks[i].object.last; ++a)
+                for (int b = looks[j].object.first; b + 1 < looks[j].object.last; ++b)
+                    ropes = std::min(ropes, apart({{a, a + 1, b, b + 1}, 2, 2}) / (2 * rope));
+    CHECK(report("beads, nearer by", 1 - balls, 0.05));
+    CHECK(report("beads and ropes, nearer by", 1 - mixed, 0.05));
+    CHECK(report("ropes, nearer by", 1 - ropes, 0.05));
 }
