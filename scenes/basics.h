@@ -10,11 +10,15 @@ Scene bullet(const Knobs&);
 Scene cantilever(const Knobs&);
 Scene hangingChain(const Knobs&);
 Scene hangingSheet(const Knobs&);
+Scene layeredSheets(const Knobs&);
+Scene medley(const Knobs&);
 Scene pendulum(const Knobs&);
 Scene sampler(const Knobs&);
 Scene sheetOnSphere(const Knobs&);
 Scene softPins(const Knobs&);
 Scene stripInWind(const Knobs&);
+Scene tablecloth(const Knobs&);
+Scene trampoline(const Knobs&);
 Scene unitSpring(const Knobs&);
 Scene windGauge(const Knobs&);
 

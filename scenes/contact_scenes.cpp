@@ -1,19 +1,19 @@
 // Cloth that lies, hangs and slides on things and on itself.
 #include "basics.h"
-#include "contacts/surface.h"
+#include "bodies.h"
 #include "forces/gravity.h"
 #include "measures.h"
 #include "stencils.h"
 #include "views.h"
 #include "woven.h"
 
-#include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace plait {
 namespace {
 
-constexpr double unbound = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -34,22 +34,19 @@ Scene sheetOnSphere(const Knobs& knobs) {
     world.act<Gravity>(GravityOptions{});
     const std::vector<int> threads = weave(world, cloth, gridThreads(n), 15);
     world.constrain(bendRows(world.complex, cloth, world.rest, 1e-6), {.name = "bend", .order = 3});
-    const auto surface = [&](Range range, bool self) {
-        return Surface{.vertices = range,
-                       .thickness = thickness,
-                       .staticFriction = friction,
-                       .dynamicFriction = friction,
-                       .self = self};
-    };
-    meet(world, {surface(cloth, true), surface(ball, false)}, {.order = 4});
-    scene.options.schedule = {.substeps = 16, .iterations = 2, .collisionPasses = 2};
+    Surface body = roughSurface(ball, thickness, friction);
+    body.self = false;
+    meet(world, {roughSurface(cloth, thickness, friction), body}, {.order = 4});
+    scene.options.schedule = {
+        .substeps = knobs.byQuality(16, 32, 64), .iterations = 2, .collisionPasses = 2};
     scene.options.damping = 0.05;
     scene.seconds = 4;
-    scene.metrics = {greatestStrain(world, threads, {0, unbound}),
-                     commonStrain(world, threads, {0, unbound}),
+    // Where it lands, single threads stretch by 5 % at draft and by 12 % at preview.
+    scene.metrics = {greatestStrain(world, threads, {0, infinity}),
+                     commonStrain(world, threads, {0, 4}),
                      selfIntersections(world, {cloth.first, ball.last}, {0, 0})};
     View& view = scene.view;
-    view = viewOf({cloth, ball}, {0, -0.2, 0}, 1.15, Material::cotton, {1.0, 0.75, 2.2});
+    view = viewOf({cloth, ball}, {0, -0.24, 0}, 0.88, Material::cotton, {1.0, 0.75, 2.2});
     view.looks[1].material = Material::matte;
     view.looks[1].color = {0.254, 0.216, 0.188};
     view.groundHeight = -0.75;

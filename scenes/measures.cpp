@@ -1,6 +1,7 @@
 #include "measures.h"
 
 #include "measure/energy.h"
+#include "measure/gap.h"
 #include "measure/geometry.h"
 #include "measure/intersections.h"
 #include "measure/strain.h"
@@ -54,13 +55,28 @@ Metric commonStrain(const World& world, Range range, Band band) {
 }
 
 Metric selfIntersections(const World& world, Range range, Band band) {
+    const auto inside = [&](int v) { return v >= range.first && v < range.last; };
+    std::vector<std::array<int, 2>> edges;
+    for (int i = 0; i < world.complex.count(1); ++i)
+        if (const auto edge = world.complex.edge(i); inside(edge[0]) && inside(edge[1]))
+            edges.push_back(edge);
     std::vector<std::array<int, 3>> triangles;
-    for (int i = 0; i < world.complex.count(2); ++i) {
-        const auto& triangle = world.complex.triangle(i);
-        if (triangle[0] >= range.first && triangle[0] < range.last) triangles.push_back(triangle);
-    }
+    for (int i = 0; i < world.complex.count(2); ++i)
+        if (const auto triangle = world.complex.triangle(i); inside(triangle[0]))
+            triangles.push_back(triangle);
     return metricOf("crossings", "", band, [=](const Snapshot& at) {
-        return static_cast<double>(countIntersections(at.positions, triangles));
+        return static_cast<double>(countIntersections(at.positions, edges, triangles));
+    });
+}
+
+Metric leastGap(const World& world, Range range, double within, Band band) {
+    std::vector<std::array<int, 3>> triangles;
+    for (int i = 0; i < world.complex.count(2); ++i)
+        if (const auto triangle = world.complex.triangle(i);
+            triangle[0] >= range.first && triangle[0] < range.last)
+            triangles.push_back(triangle);
+    return metricOf("gap", "mm", band, [=](const Snapshot& at) {
+        return 1000 * leastGap(at.positions, triangles, within / 1000);
     });
 }
 

@@ -22,8 +22,12 @@ Metric commonStrain(const World& world, const std::vector<int>& links, Band band
 Metric greatestStrain(const World& world, Range range, Band band);
 Metric commonStrain(const World& world, Range range, Band band);
 
-// Pairs of an edge and a triangle of the sheet `range` that go through each other.
+// Pairs of an edge, of a sheet or a curve, and a triangle of `range` that go through each other.
 Metric selfIntersections(const World& world, Range range, Band band);
+
+// In mm: the least distance within and between the sheets of `range`; `within` (mm) if it is
+// larger.
+Metric leastGap(const World& world, Range range, double within, Band band);
 
 // In % of `scale` (J): kinetic energy and that of gravity g, less what the world starts with.
 Metric energyGain(const World& world, const Vec<double>& g, double scale, Band band);

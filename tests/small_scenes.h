@@ -4,6 +4,7 @@
 
 #include "scene.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace plait::test {
@@ -13,6 +14,12 @@ inline std::vector<SceneEntry> smallScenes() {
     for (const SceneEntry& entry : scenes())
         if (entry.name != "dress") small.push_back(entry);
     return small;
+}
+
+// Contacts of matter with matter come and go: neither their work nor their memory is known ahead.
+inline bool matterMeets(const Scene& scene) {
+    return std::ranges::any_of(
+        scene.world.sets, [](const World::Set& set) { return set.options.name == "contacts"; });
 }
 
 }  // namespace plait::test

@@ -1,0 +1,23 @@
+// Matter of scenes in which things meet.
+#pragma once
+
+#include "contacts/surface.h"
+#include "world.h"
+
+#include <span>
+#include <vector>
+
+namespace plait {
+
+// Adds a closed shell of this mass (kg), spread evenly on its surface. It keeps no shape until
+// `keepShapes`.
+Range addBody(World& world, const Shape& shape, double mass);
+
+// Links every vertex of each of these bodies with every other, so that a sweep or two suffices: as
+// many links as half the square of its vertices.
+void keepShapes(World& world, std::span<const Range> bodies, SetOptions options);
+
+// Thickness in m; the same friction standing and sliding.
+Surface roughSurface(Range vertices, double thickness, double friction);
+
+}  // namespace plait
