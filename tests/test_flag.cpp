@@ -217,11 +217,9 @@ TEST_CASE("flag: flaps faster in stronger wind", "[flag][long]") {
     REQUIRE(slope < 1.7);
 }
 
-// At 6 m/s the tip passes its mean 30 times in 16 s, and a wind 1 % stronger changes that by 15 %;
-// at 10 m/s it is 80 times, and 6 %.
 TEST_CASE("flag: the mesh hardly matters to its frequency", "[flag][long]") {
     const auto of = [](Quality quality) {
-        return flappingOf(flagOf(quality, {{"wind", 10}}, {{"weather", "steady"}}), 24).frequency;
+        return flappingOf(flagOf(quality, {}, {{"weather", "steady"}}), 24).frequency;
     };
     const double preview = of(Quality::preview), final = of(Quality::final);
     note("preview, Hz", preview);

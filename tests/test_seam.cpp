@@ -20,7 +20,7 @@ MovingSurface ellipsoids(const std::vector<Vec<double>>& axes,
     for (std::size_t i = 0; i < axes.size(); ++i) {
         const int first = static_cast<int>(all.size());
         for (int t = 0; t < ball.complex.count(2); ++t) {
-            const auto ids = ball.complex.vertices(2, t);
+            const auto ids = ball.complex.triangle(t);
             surface.triangles.push_back({first + ids[0], first + ids[1], first + ids[2]});
         }
         for (const Vec<double>& x : ball.positions)
