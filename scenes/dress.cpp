@@ -7,6 +7,7 @@
 #include "forces/gravity.h"
 #include "measure/penetration.h"
 #include "measures.h"
+#include "mesh_sequence.h"
 #include "seam.h"
 #include "stencils.h"
 #include "views.h"
@@ -14,13 +15,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
 #include <tuple>
+#include <utility>
 
 namespace plait {
 namespace {
 
 constexpr double fullness = 1.06;  // of the pattern, gathered by as much where it is sewn on
 constexpr double lead = 1.5;       // s, in which the skirt falls before the film begins
+
+constexpr std::array vermilion{0.578, 0.032, 0.014}, rose{0.72, 0.32, 0.27},
+    bareSkin{0.72, 0.45, 0.33};
+
+// Who wears it.
+struct Wearer {
+    Shape shape;                                    // at time 0
+    MovingSurface surface;                          // by the time of the film, s
+    Frame waist;                                    // at time 0
+    std::function<Vec<double>(double t)> followed;  // by the camera
+    double seconds = 0;
+    Look look;
+};
 
 // A layer of the skirt: a ring cut from cloth that lies flat, sewn to the waist along its inside.
 struct Layer {
@@ -110,12 +128,11 @@ std::vector<int> taut(const std::vector<int>& links, Range cloth, const Layer& l
 }
 
 // Adds a layer, sewn on. Returns its vertices.
-Range addLayer(World& world, const Ballerina& dancer, const Layer& layer) {
-    const Seam seam({dancer.triangles(), [dancer](double t) { return dancer.positions(t); }},
-                    dancer.waist(0), layer.clearance, layer.length / 3, layer.threads);
+Range addLayer(World& world, const Wearer& wearer, const Layer& layer) {
+    const Seam seam(wearer.surface, wearer.waist, layer.clearance, layer.length / 3, layer.threads);
     const Range cloth =
-        world.add(patternOf(layer, dancer.waist(0), seam),
-                  {.density = layer.density, .start = hung(layer, dancer.waist(0), seam)});
+        world.add(patternOf(layer, wearer.waist, seam),
+                  {.density = layer.density, .start = hung(layer, wearer.waist, seam)});
     world.pin(pointStencils({cloth.first, cloth.first + layer.threads}),
               [seam](double t, std::span<Vec<double>> positions) {
                   std::ranges::copy(seam.at(t - lead), positions.begin());
@@ -123,20 +140,22 @@ Range addLayer(World& world, const Ballerina& dancer, const Layer& layer) {
     return cloth;
 }
 
-// Her skin is pinned matter that moves as she does.
-Range addBody(World& world, const Ballerina& dancer) {
-    const Range body = world.add(dancer.shape(), {.start = dancer.positions(0)});
-    world.pin(pointStencils(body), [dancer](double t, std::span<Vec<double>> positions) {
-        std::ranges::copy(dancer.positions(t - lead), positions.begin());
-    });
+// Skin is pinned matter that moves as its wearer does.
+Range addBody(World& world, const Wearer& wearer) {
+    const Range body = world.add(wearer.shape);
+    world.pin(pointStencils(body),
+              [at = wearer.surface.positions](double t, std::span<Vec<double>> positions) {
+                  std::ranges::copy(at(t - lead), positions.begin());
+              });
     return body;
 }
 
 // Bare skin, hair, tights and satin shoes; her bodice is of the skirt's silk.
-Look lookOf(const Ballerina& dancer, Range body, const Layer& silk) {
-    Look look{.object = body, .material = Material::skin};
+Look lookOf(const Ballerina& dancer) {
+    Look look;
+    look.material = Material::skin;
     for (const BodyPart part : dancer.parts()) {
-        std::array color{0.72, 0.45, 0.33};
+        std::array color = bareSkin;
         double satin = 0;
         switch (part) {
             case BodyPart::hair:
@@ -149,7 +168,7 @@ Look lookOf(const Ballerina& dancer, Range body, const Layer& silk) {
                 color = {0.75, 0.33, 0.27}, satin = 1;
                 break;
             case BodyPart::torso:
-                color = silk.color, satin = 1;
+                color = vermilion, satin = 1;
                 break;
             default:
                 break;
@@ -160,7 +179,50 @@ Look lookOf(const Ballerina& dancer, Range body, const Layer& silk) {
     return look;
 }
 
-View viewOf(const Ballerina& dancer, const std::array<Range, 3>& objects,
+Wearer ballerina() {
+    const Ballerina dancer;
+    Shape shape = dancer.shape();
+    shape.positions = dancer.positions(0);
+    return {.shape = std::move(shape),
+            .surface = {dancer.triangles(), [dancer](double t) { return dancer.positions(t); }},
+            .waist = dancer.waist(0),
+            .followed = [dancer](double t) { return dancer.waist(t).origin; },
+            .seconds = Ballerina::seconds,
+            .look = lookOf(dancer)};
+}
+
+// A character of the user's own, in metres, y up, on the floor y = 0.
+Wearer wearerOf(const Knobs& knobs) {
+    const MeshSequence sequence(knobs.text("body"), {.frameRate = knobs.number("rate")});
+    Wearer wearer;
+    wearer.shape = sequence.first();
+    wearer.seconds = sequence.end();
+    for (int t = 0; t < wearer.shape.complex.count(2); ++t)
+        wearer.surface.triangles.push_back(wearer.shape.complex.triangle(t));
+    wearer.surface.positions = [sequence](double t) {
+        std::vector<Vec<double>> positions(sequence.first().positions.size());
+        sequence(t, positions);
+        return positions;
+    };
+    wearer.followed = [at = wearer.surface.positions](double t) {
+        const std::vector<Vec<double>> positions = at(t);
+        Vec<double> sum{};
+        for (const Vec<double>& x : positions) sum += x;
+        return divide(1.0, static_cast<double>(positions.size())) * sum;
+    };
+    wearer.waist.origin = wearer.followed(0);
+    const double waist = wearer.waist.origin.y = knobs.number("waist");
+    const auto [low, high] =
+        std::ranges::minmax(wearer.shape.positions, {}, [](const Vec<double>& x) { return x.y; });
+    if (!(low.y < waist && waist < high.y))
+        throw std::invalid_argument("waist: it must be on the body, which reaches from " +
+                                    std::to_string(low.y) + " to " + std::to_string(high.y) + " m");
+    wearer.look.material = Material::skin;
+    wearer.look.color = bareSkin;
+    return wearer;
+}
+
+View viewOf(const Wearer& wearer, const std::array<Range, 3>& objects,
             const std::array<Layer, 2>& layers) {
     constexpr double size = 2.1;  // m, of what is to be seen
     View view = plait::viewOf({objects[0], objects[1], objects[2]}, {0, 0.88, 0}, size,
@@ -169,21 +231,21 @@ View viewOf(const Ballerina& dancer, const std::array<Range, 3>& objects,
         view.looks[i].material = layers[i].material;
         view.looks[i].color = layers[i].color;
     }
-    view.looks[2] = lookOf(dancer, objects[2], layers[0]);
+    view.looks[2] = wearer.look;
+    view.looks[2].object = objects[2];
     view.groundHeight = 0;
     view.groundSize = size;
     view.stage = theatre(size);
-    view.follow = {.point = [dancer](double t) { return dancer.waist(t).origin; },
-                   .home = dancer.waist(0).origin};
+    view.follow = {.point = wearer.followed, .home = wearer.followed(0)};
     return view;
 }
 
 // Vertices of the skirt that are in her.
-Metric insideOf(const Ballerina& dancer, Range skirt, Range body) {
+Metric insideOf(const Wearer& wearer, Range skirt, Range body) {
     return {.name = "inside",
             .unit = "",
             .measure =
-                [=, triangles = dancer.triangles()](const Snapshot& at) {
+                [=, triangles = wearer.surface.triangles](const Snapshot& at) {
                     const std::span all(at.positions);
                     return static_cast<double>(findInside(all.subspan(skirt.first, skirt.size()),
                                                           all.subspan(body.first, body.size()),
@@ -199,16 +261,15 @@ Metric insideOf(const Ballerina& dancer, Range skirt, Range body) {
 Scene dress(const Knobs& knobs) {
     Scene scene;
     World& world = scene.world;
-    const Ballerina dancer;
+    const Wearer wearer = knobs.text("body").empty() ? ballerina() : wearerOf(knobs);
     const int threads = knobs.byQuality(90, 180, 360), rings = knobs.byQuality(15, 29, 57),
               gathered = (rings - 1) / 5;
-    constexpr std::array vermilion{0.578, 0.032, 0.014}, rose{0.72, 0.32, 0.27};
     const Layer silk{threads, rings, gathered, 0.42,           0.012,    0.09,
                      2e-6,    10,    0.75,     Material::silk, vermilion};
     const Layer tulle{threads, rings, gathered,        0.40, 0.006, 0.04, 4e-6,
                       10,      0.70,  Material::tulle, rose};
-    const Range outside = addLayer(world, dancer, silk), inside = addLayer(world, dancer, tulle);
-    const Range body = addBody(world, dancer), skirt{outside.first, inside.last};
+    const Range outside = addLayer(world, wearer, silk), inside = addLayer(world, wearer, tulle);
+    const Range body = addBody(world, wearer), skirt{outside.first, inside.last};
     world.act<Gravity>(GravityOptions{});
     actAir(world, {.density = 1.2, .drag = 1.2, .tangentialDrag = 0.1, .interval = 2});
     std::vector<int> links, tautLinks;
@@ -231,10 +292,10 @@ Scene dress(const Knobs& knobs) {
     scene.options.schedule = {.substeps = 24, .iterations = 24, .collisionPasses = 24};
     scene.options.damping = 0.02;
     scene.lead = lead;
-    scene.seconds = Ballerina::seconds;
+    scene.seconds = wearer.seconds;
     scene.metrics = {greatestStrain(world, links, {0, 2}), commonStrain(world, tautLinks, {0, 1}),
-                     selfIntersections(world, skirt, {0, 0}), insideOf(dancer, skirt, body)};
-    scene.view = viewOf(dancer, {outside, inside, body}, {silk, tulle});
+                     selfIntersections(world, skirt, {0, 0}), insideOf(wearer, skirt, body)};
+    scene.view = viewOf(wearer, {outside, inside, body}, {silk, tulle});
     return scene;
 }
 

@@ -1,10 +1,15 @@
 // The ballerina's dress, by measures that know nothing of the solver.
+#include "ballerina.h"
 #include "catch.h"
 #include "measure/intersections.h"
 #include "measure/penetration.h"
 #include "report.h"
 #include "scene.h"
+#include "scratch_folder.h"
 #include "solver.h"
+
+#include <algorithm>
+#include <fstream>
 
 using namespace plait;
 using namespace plait::test;
@@ -54,4 +59,36 @@ TEST_CASE("dress: it keeps its bands through the dance", "[dress][long]") {
         note(scene.metrics[i].name + " at most", most[i]);
         if (scene.metrics[i].name != "strain") CHECK(most[i] <= scene.metrics[i].high);
     }
+}
+
+TEST_CASE("dress: a character of the user's own wears it", "[dress]") {
+    const test::ScratchFolder folder;
+    const Ballerina dancer;
+    for (int frame = 0; frame < 3; ++frame) {
+        std::ofstream out(folder / ("body" + std::to_string(frame) + ".obj"));
+        out.precision(12);
+        for (const Vec<double>& x : dancer.positions(frame / 12.0))
+            out << "v " << x.x << ' ' << x.y << ' ' << x.z << '\n';
+        for (const auto& [a, b, c] : dancer.triangles())
+            out << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
+    }
+    const SceneEntry& entry = findScene("dress");
+    Knobs knobs = Knobs::defaults(entry.knobs, Quality::draft);
+    const Scene own = entry.build(knobs);
+    knobs.texts["body"] = (folder / "body*.obj").string();
+    knobs.numbers["waist"] = dancer.waist(0).origin.y;
+    knobs.numbers["rate"] = 12;
+    const Scene scene = entry.build(knobs);
+    CHECK(scene.seconds == 2 / 12.0);
+    REQUIRE(scene.world.start.size() == own.world.start.size());
+    double apart = 0;
+    for (std::size_t i = 0; i < own.world.start.size(); ++i)
+        apart = std::max(apart, length(scene.world.start[i] - own.world.start[i]));
+    CHECK(report("from the dancer's own, m", apart, 1e-9));
+    const Snapshot at{scene.world.start, scene.world.velocity, 0, 0};
+    for (const Metric& metric : scene.metrics)
+        if (metric.high == 0) CHECK(metric.measure(at) == 0);
+
+    knobs.numbers["waist"] = 2;  // over her head
+    REQUIRE_THROWS_WITH(entry.build(knobs), Catch::Matchers::StartsWith("waist: it must be on"));
 }
