@@ -98,8 +98,9 @@ void PairSearch::follow(std::span<const Vec<double>> start, std::span<const Vec<
         for (int i = first; i < last; ++i) {
             const int v = members_[i];
             const Vec<double> home = from_[v] + mean;
-            strayed_[v] = static_cast<float>(
-                (1 + 1e-6) * (2 * length(start[v] - home) + length(end[v] - home)) + 1e-12);
+            const double strayed = length(start[v] - home), way = strayed + length(end[v] - home);
+            strayed_[v] = {static_cast<float>((1 + 1e-6) * strayed + 1e-12),
+                           static_cast<float>((1 + 1e-6) * way + 1e-12)};
         }
     });
 }

@@ -83,17 +83,25 @@ private:
     std::vector<Meeting> meetings_;
     // Where the vertices were, and were heading for, when pairs were last looked for.
     std::vector<Vec<double>> from_, to_;
-    // How far each has strayed since, against the mean of all; m, rounded up.
-    std::vector<float> strayed_;
+    // How far each has strayed since, against the mean of all, and how far it goes from there at
+    // most; m, rounded up.
+    struct Stray {
+        float start, way;
+    };
+    std::vector<Stray> strayed_;
 };
 
 template <class Item, class Visit>
 void PairSearch::collect(std::vector<std::vector<Item>>& parts, double reach, Workers& workers,
                          const Visit& visit) const {
+    // One vertex may have strayed furthest, and another go furthest.
     const auto strayed = [&](std::span<const int> ids) {
-        float most = 0;
-        for (const int v : ids) most = std::max(most, strayed_[v]);
-        return most;
+        Stray most{};
+        for (const int v : ids) {
+            most.start = std::max(most.start, strayed_[v].start);
+            most.way = std::max(most.way, strayed_[v].way);
+        }
+        return most.start + most.way;
     };
     constexpr int part = 2048;
     std::size_t count = 0;
