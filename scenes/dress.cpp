@@ -27,8 +27,7 @@ namespace {
 constexpr double fullness = 1.06;  // of the pattern, gathered by as much where it is sewn on
 constexpr double lead = 1.5;       // s, in which the skirt falls before the film begins
 
-constexpr std::array vermilion{0.578, 0.032, 0.014}, rose{0.72, 0.32, 0.27},
-    bareSkin{0.72, 0.45, 0.33};
+constexpr std::array vermilion{0.578, 0.032, 0.014}, rose{0.72, 0.32, 0.27};
 
 // Who wears it.
 struct Wearer {
@@ -155,7 +154,7 @@ Look lookOf(const Ballerina& dancer) {
     Look look;
     look.material = Material::skin;
     for (const BodyPart part : dancer.parts()) {
-        std::array color = bareSkin;
+        std::array color{0.72, 0.45, 0.33};
         double satin = 0;
         switch (part) {
             case BodyPart::hair:
@@ -217,8 +216,8 @@ Wearer wearerOf(const Knobs& knobs) {
     if (!(low.y < waist && waist < high.y))
         throw std::invalid_argument("waist: it must be on the body, which reaches from " +
                                     std::to_string(low.y) + " to " + std::to_string(high.y) + " m");
-    wearer.look.material = Material::skin;
-    wearer.look.color = bareSkin;
+    wearer.look.material = Material::matte;
+    wearer.look.color = {0.254, 0.216, 0.188};
     return wearer;
 }
 
@@ -295,6 +294,8 @@ Scene dress(const Knobs& knobs) {
     scene.seconds = wearer.seconds;
     scene.metrics = {greatestStrain(world, links, {0, 2}), commonStrain(world, tautLinks, {0, 1}),
                      selfIntersections(world, skirt, {0, 0}), insideOf(wearer, skirt, body)};
+    if (scene.metrics.back().measure({world.start, world.velocity, 0, 0}) > 0)
+        throw std::invalid_argument("body: it must stand in its first mesh, clear of the skirt");
     scene.view = viewOf(wearer, {outside, inside, body}, {silk, tulle});
     return scene;
 }

@@ -68,7 +68,8 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
          .knobs = {{.name = "body",
                     .meaning =
                         "a character of your own that dances: OBJ or PLY meshes with a * for "
-                        "their number, or a PC2 file; closed, in m, on the floor y = 0"},
+                        "their number, or a PC2 file; closed, in m, on the floor y = 0, at "
+                        "first standing"},
                    {.name = "waist",
                     .meaning = "how high its waist is in the first mesh",
                     .unit = "m",

@@ -64,14 +64,17 @@ TEST_CASE("dress: it keeps its bands through the dance", "[dress][long]") {
 TEST_CASE("dress: a character of the user's own wears it", "[dress]") {
     const test::ScratchFolder folder;
     const Ballerina dancer;
-    for (int frame = 0; frame < 3; ++frame) {
-        std::ofstream out(folder / ("body" + std::to_string(frame) + ".obj"));
+    const auto write = [&](const std::string& name, double t) {
+        std::ofstream out(folder / name);
         out.precision(12);
-        for (const Vec<double>& x : dancer.positions(frame / 12.0))
+        for (const Vec<double>& x : dancer.positions(t))
             out << "v " << x.x << ' ' << x.y << ' ' << x.z << '\n';
         for (const auto& [a, b, c] : dancer.triangles())
             out << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
-    }
+    };
+    for (int frame = 0; frame < 3; ++frame)
+        write("body" + std::to_string(frame) + ".obj", frame / 12.0);
+    write("turning0.obj", 4.3);  // on one leg
     const SceneEntry& entry = findScene("dress");
     Knobs knobs = Knobs::defaults(entry.knobs, Quality::draft);
     const Scene own = entry.build(knobs);
@@ -89,6 +92,9 @@ TEST_CASE("dress: a character of the user's own wears it", "[dress]") {
     for (const Metric& metric : scene.metrics)
         if (metric.high == 0) CHECK(metric.measure(at) == 0);
 
+    Knobs turning = knobs;
+    turning.texts["body"] = (folder / "turning*.obj").string();
+    REQUIRE_THROWS_WITH(entry.build(turning), Catch::Matchers::StartsWith("body: it must stand"));
     knobs.numbers["waist"] = 2;  // over her head
     REQUIRE_THROWS_WITH(entry.build(knobs), Catch::Matchers::StartsWith("waist: it must be on"));
 }
