@@ -86,13 +86,15 @@ TEST_CASE("sheet cases: 12 palindromes a frame hold all of 64 x 64", "[inextensi
     holdAll(64, {});
 }
 
+// Pins shaken at 3 Hz pull with 7 g.
 TEST_CASE("sheet cases: without mending they stretch, and no more", "[inextensible][long]") {
     double most = 0;
     for (const Case& of : casesOf(32)) {
         const Course course = fall(of, {.sheet = {.mending = 0}});
         most = std::max(most, course.worst);
-        CHECK(course.worst < 0.5);
-        CHECK(course.before < 0.5);
+        const double bound = of.name == "shaken at 3 Hz" ? 1 : 0.5;
+        CHECK(course.worst < bound);
+        CHECK(course.before < bound);
     }
     CHECK(most > 0.1);
 }
@@ -137,10 +139,11 @@ namespace {
 constexpr int few[] = {1, 2, 4, 8, 16, 32, 64};
 
 // Every setting of up to `most` palindromes or iterations a frame. More of either stretches less,
-// but for what is chance in a crumpled sheet.
+// but for what is chance in a crumpled sheet, and for what mending leaves alone.
 void degradeSoftly(const char* name, const Shape& shape, const std::vector<int>& pins, Work work,
                    int most) {
     std::map<std::pair<int, int>, double> strain;  // of the first second
+    const double chance = work.method == Method::global ? 0.003 : work.sheet.mending;
     for (const int substeps : few)
         for (const int iterations : few) {
             if (substeps * iterations > most || iterations > 16) continue;
@@ -152,7 +155,7 @@ void degradeSoftly(const char* name, const Shape& shape, const std::vector<int>&
             strain[{substeps, iterations}] = course.before;
             for (const auto& less :
                  {std::pair{substeps / 2, iterations}, {substeps, iterations / 2}})
-                if (strain.count(less)) CHECK(course.before < 1.3 * strain[less] + 0.003);
+                if (strain.count(less)) CHECK(course.before < 1.3 * strain[less] + chance);
         }
 }
 
