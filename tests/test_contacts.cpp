@@ -230,3 +230,19 @@ TEST_CASE("contacts: the same bits from any number of threads, and resumed",
     advance(resumed, 5);
     CHECK(resumed.hash() == expected);
 }
+
+// The one vertex that is free has a lever of 1e-5 there: to part them alone it would go 100 m.
+TEST_CASE("contacts: what touches next to pinned vertices flings nothing away", "[contacts]") {
+    World world;
+    Simplices cells;
+    cells.triangles.push_back({0, 1, 2});
+    const Range sheet = world.add(
+        {SimplicialComplex(3, cells), {{0, 0, 0}, {1, 0, 0}, {0.5, 0, 1}}}, {.density = 0.1});
+    const Range point = addPoint(world, {0.5, 5e-4, 1e-5});
+    world.pin({0, 1, point.first});
+    meet(world, {{.vertices = sheet}, {.vertices = point}});
+    Solver<double> solver(world, meeting(10));
+    solver.frame();
+    CHECK(report("way of the free vertex, m",
+                 length(solver.positions()[2] - Vec<double>{0.5, 0, 1}), 0.1));
+}

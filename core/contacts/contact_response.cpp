@@ -27,12 +27,18 @@ struct Answers {
         }
         return yields[static_cast<int>(i) >= pair.first] * moved;
     }
-    // How far they part along n of unit length by an impulse of 1 along it.
+    // How far they part along n of unit length by an impulse of 1 along it. Next to a vertex that
+    // is pinned a free one has no lever to part them by; without a limit it would be flung away.
     double along(const Vec<double>& n) const {
-        double sum = 0;
-        for (std::size_t i = 0; i < 4; ++i)
-            if (weight[i] != 0) sum += weight[i] * weight[i] * dot(n, of(i, n));
-        return sum;
+        constexpr double leastLever = 0.1;
+        double sum = 0, most = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (weight[i] == 0) continue;
+            const double answer = dot(n, of(i, n));
+            sum += weight[i] * weight[i] * answer;
+            most = std::max(most, answer);
+        }
+        return std::max(sum, leastLever * leastLever * most);
     }
     void move(const Vec<double>& impulse) const {
         for (std::size_t i = 0; i < 4; ++i) {
