@@ -279,9 +279,12 @@ Scene dress(const Knobs& knobs) {
         links.insert(links.end(), woven.begin(), woven.end());
         tautLinks.insert(tautLinks.end(), straight.begin(), straight.end());
     }
-    const auto surface = [](Range vertices, bool self) {
+    // Less than what is between vertices at the waist: threads that gather would push each other
+    // away.
+    const double thickness = knobs.byQuality(0.0015, 0.00075, 0.0004);  // m
+    const auto surface = [thickness](Range vertices, bool self) {
         return Surface{.vertices = vertices,
-                       .thickness = 0.0015,
+                       .thickness = thickness,
                        .staticFriction = 0.2,
                        .dynamicFriction = 0.2,
                        .self = self};
