@@ -19,6 +19,12 @@ void keepShapes(World& world, std::span<const Range> bodies, SetOptions options)
     world.constrain(restRows<Stretch>(pairs, world.rest), std::move(options));
 }
 
+void addGround(World& world, Range vertices, double height, double thickness, int order) {
+    Rows<PlaneContact> ground = restRows<PlaneContact>(pointStencils(vertices), world.rest);
+    for (auto& row : ground.rows) row = {{0, height, 0}, {0, 1, 0}, thickness};
+    world.constrain(ground, {.name = "ground", .order = order});
+}
+
 Surface roughSurface(Range vertices, double thickness, double friction) {
     return {.vertices = vertices,
             .thickness = thickness,

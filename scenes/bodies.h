@@ -17,6 +17,10 @@ Range addBody(World& world, const Shape& shape, double mass);
 // many links as half the square of its vertices.
 void keepShapes(World& world, std::span<const Range> bodies, SetOptions options);
 
+// Keeps these vertices so far (m) above a floor of this height (m), without friction: adds the set
+// `ground`.
+void addGround(World& world, Range vertices, double height, double thickness, int order);
+
 // Thickness in m; the same friction standing and sliding.
 Surface roughSurface(Range vertices, double thickness, double friction);
 

@@ -1,4 +1,5 @@
 #include "basics.h"
+#include "bodies.h"
 #include "contacts/nearest.h"
 #include "contacts/surface.h"
 #include "forces/gravity.h"
@@ -73,9 +74,7 @@ Scene bullet(const Knobs& knobs) {
     meet(world, {surface(sheet, 0), surface(ball, radius)},
          {.detection = path ? Detection::path : Detection::end, .order = 3});
     constexpr double floor = -1.05;
-    Rows<PlaneContact> ground = restRows<PlaneContact>(pointStencils(ball), world.rest);
-    ground.rows[0] = {{0, floor, 0}, {0, 1, 0}, radius};
-    world.constrain(ground, {.name = "ground", .order = 4});
+    addGround(world, ball, floor, radius, 4);
     scene.options.schedule = {.substeps = 8, .iterations = 20, .collisionPasses = 20};
     scene.seconds = 1;
     scene.metrics = {clearance(ball.first, triangleStencils(world.complex, sheet),

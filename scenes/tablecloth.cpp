@@ -164,10 +164,7 @@ void meetAll(World& world, Range cloth, Range table, const std::vector<Range>& t
     }
     for (std::size_t i = 1; i < surfaces.size(); ++i) surfaces[i].self = false;
     meet(world, surfaces, {.order = 5, .layerShock = 30});
-    Rows<PlaneContact> ground =
-        restRows<PlaneContact>(pointStencils({tins.front().first, tins.back().last}), world.rest);
-    for (auto& row : ground.rows) row = {{0, floorHeight, 0}, {0, 1, 0}, thickness};
-    world.constrain(ground, {.name = "ground", .order = 6});
+    addGround(world, {tins.front().first, tins.back().last}, floorHeight, thickness, 6);
 }
 
 View viewOf(Range cloth, Range bar, const std::vector<Range>& tins) {

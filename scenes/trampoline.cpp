@@ -93,10 +93,7 @@ Scene trampoline(const Knobs& knobs) {
     for (const Range ball : balls)
         surfaces.push_back({.vertices = ball, .thickness = thickness, .self = false});
     meet(world, surfaces, {.order = 2});
-    Rows<PlaneContact> ground =
-        restRows<PlaneContact>(pointStencils({balls.front().first, balls.back().last}), world.rest);
-    for (auto& row : ground.rows) row = {{0, -bed, 0}, {0, 1, 0}, thickness};
-    world.constrain(ground, {.name = "ground", .order = 3});
+    addGround(world, {balls.front().first, balls.back().last}, -bed, thickness, 3);
     scene.options.schedule = {
         .substeps = knobs.byQuality(32, 48, 96), .iterations = 6, .collisionPasses = 3};
     scene.seconds = 3;

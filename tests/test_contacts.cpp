@@ -231,7 +231,7 @@ TEST_CASE("contacts: the same bits from any number of threads, and resumed",
     CHECK(resumed.hash() == expected);
 }
 
-// The one vertex that is free has a lever of 1e-5 there: to part them alone it would go 100 m.
+// The one vertex that is free has a lever of 1e-5 there: to part them alone it went 1,500 m.
 TEST_CASE("contacts: what touches next to pinned vertices flings nothing away", "[contacts]") {
     World world;
     Simplices cells;
