@@ -48,8 +48,9 @@ public:
     virtual void countAt(std::vector<int>& /*counts*/) const {}
     virtual void relaxBy(const std::vector<int>& /*counts*/) {}
 
-    // The substep's last word on positions, after all sweeps.
-    virtual void finish(const Sweep<Real>&, Workers&) {}
+    // The last word on positions, after all sweeps, in a world with contacts: in turns, contacts
+    // last. Returns the counted work, 0 where nothing was moved.
+    virtual long finish(const Sweep<Real>&, Workers&) { return 0; }
 
     // After the velocities: what a bounce leaves and the change of positions does not show.
     virtual void rebound(State<Real>&) const {}

@@ -3,7 +3,9 @@
 // leaves of a sheet is off in few places, where it whips round, or where a load has no straight
 // strand to go by; so its greatest strain falls several times for a hundredth of the work.
 //
-// First in a column by its order, it acts last, on the palindrome's way back, before the contacts.
+// First in a column by its order, it acts last, on the palindrome's way back, before the contacts;
+// and where there are any, once more after all columns, so that of lengths and thicknesses, where a
+// fold leaves no room for both, lengths are kept.
 // A sweep of its own is a palindrome as well, and a product of two self-adjoint contractions has
 // real eigenvalues from 0 to 1: it adds no energy either (methods/README.md).
 #pragma once
@@ -37,6 +39,11 @@ public:
 
     void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override {
         work_ = direction == Direction::backward ? links_.mend(sweep, mending_, workers) : 0;
+    }
+    // What contacts have pulled too long since. It may press them closer than their thickness, but
+    // not through each other: that they look at after this.
+    long finish(const Sweep<Real>& sweep, Workers& workers) override {
+        return links_.mend(sweep, mending_, workers);
     }
     // Other methods find these links in the sets that hold them.
     bool termsOf(std::span<const int>, const State<Real>&, bool, Terms<Real>& out) const override {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace plait {
 
@@ -29,7 +30,7 @@ void Solver<Real>::substep(double fraction) {
         sweepColumns();  // x <- x + W J^T dlambda, set by set
         smooth();
     }
-    for (const int s : contacts_) sets_[s]->finish(sweepOf(s), workers_);
+    finishSets();
     update(second);  // v <- (x - x1) / h, or (3 x - 4 x1 + x2) / 2 h
     for (const int s : contacts_) sets_[s]->rebound(state_);
     dampRates();
@@ -93,6 +94,25 @@ Sweep<Real> Solver<Real>::sweepOf(int set) {
     return sweep;
 }
 
+// Until neither leaves the other anything to do, or contacts have had the last word often enough.
+template <class Real>
+void Solver<Real>::finishSets() {
+    if (contacts_.empty()) return;
+    const auto finish = [&](int s) {
+        const long work = sets_[s]->finish(sweepOf(s), workers_);
+        evaluations_ += work;
+        return work;
+    };
+    constexpr int rounds = 5;
+    for (int round = 0; round < rounds; ++round) {
+        for (int s = 0; s < static_cast<int>(sets_.size()); ++s)
+            if (std::ranges::find(contacts_, s) == contacts_.end()) finish(s);
+        long parted = 0;
+        for (const int s : contacts_) parted += finish(s);
+        if (parted == 0) return;
+    }
+}
+
 // Jacobi iterations: slower than the columns, but what error is left is spread out (V) [SC16]. Each
 // correction is divided by the constraints at its busiest vertex, which keeps momentum; dividing
 // vertex by vertex would not.
@@ -153,8 +173,12 @@ void Solver<Real>::frame() {
         blaming_ = false;
     };
     try {
-        advance();
-        if (finite()) return;  // what is not a number stays none
+        try {
+            advance();
+            if (finite()) return;  // what is not a number stays none
+        } catch (const std::invalid_argument&) {
+            if (finite()) throw;  // contacts refuse what is not a number
+        }
         // The run is deterministic, so the frame is taken again to see what breaks it.
         putBack();
         blaming_ = true;

@@ -74,6 +74,7 @@ private:
     void takeWhole();
     void evaluate(std::span<const int> sets, Direction direction);
     void smooth();
+    void finishSets();
     void update(bool second);
     void dampRates();
     Sweep<Real> sweepOf(int set);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace plait {
 namespace {
@@ -56,14 +57,28 @@ void Workers::run(const Job& job) {
              at = done.load(std::memory_order_acquire))
             await(done, at);
     }
+    rethrow();
 }
 
-void Workers::share(int thread) const {
+void Workers::share(int thread) {
     const long part = std::max(job_.block / 16, 1), parts = (job_.count + part - 1) / part;
     const long first = parts * thread / threads(), last = parts * (thread + 1) / threads();
     const int begin = static_cast<int>(first * part);
     const int end = static_cast<int>(std::min<long>(last * part, job_.count));
-    if (begin < end) job_.call(job_.context, begin, end);
+    try {
+        if (begin < end) job_.call(job_.context, begin, end);
+    } catch (...) {
+        shares_[static_cast<std::size_t>(thread)].thrown = std::current_exception();
+    }
+}
+
+void Workers::rethrow() {
+    std::exception_ptr first;
+    for (Share& share : shares_) {
+        const std::exception_ptr thrown = std::exchange(share.thrown, nullptr);
+        if (!first) first = thrown;
+    }
+    if (first) std::rethrow_exception(first);
 }
 
 // True for one of those who ask in a round; `job_` stays until that one is done.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <exception>
 #include <thread>
 #include <vector>
 
@@ -22,7 +23,8 @@ public:
     // run of equal length a thread, and returns when all are done. A thread meets the same data
     // every time; what it has not begun when this one is through with its own, this one does too,
     // so that threads without a core to run on hold nothing up. A count of less than two blocks
-    // runs here: dealing it out would cost more. `body` must not throw.
+    // runs here: dealing it out would cost more. What `body` throws is thrown here when all are
+    // done; where several do, what one thread alone would have met first.
     template <class Body>
     void forBlocks(int count, int block, const Body& body) {
         const auto call = [](const void* context, int begin, int end) {
@@ -42,10 +44,12 @@ private:
     struct alignas(64) Share {
         std::atomic<unsigned> open{0};  // the round, until somebody begins it
         std::atomic<unsigned> done{0};  // the round, when it is through
+        std::exception_ptr thrown;
     };
 
     void run(const Job& job);
-    void share(int thread) const;
+    void share(int thread);
+    void rethrow();
     bool claim(int thread, unsigned round);
     void serve(int thread);
 

@@ -32,7 +32,7 @@ Scene sheetOnSphere(const Knobs& knobs) {
         world.add(sphere({.subdivisions = 4, .radius = radius}, {.origin = {0, -radius, 0}}));
     world.pin(pointStencils(ball));
     world.act<Gravity>(GravityOptions{});
-    const std::vector<int> threads = weave(world, cloth, gridThreads(n), 15);
+    const std::vector<int> threads = weave(world, cloth, gridThreads(n), 15, "", 0.01);
     world.constrain(bendRows(world.complex, cloth, world.rest, 1e-6), {.name = "bend", .order = 3});
     Surface body = roughSurface(ball, thickness, friction);
     body.self = false;
@@ -41,9 +41,7 @@ Scene sheetOnSphere(const Knobs& knobs) {
         .substeps = knobs.byQuality(16, 32, 64), .iterations = 2, .collisionPasses = 2};
     scene.options.damping = 0.05;
     scene.seconds = 4;
-    // Where it lands, single threads stretch by 5 % at draft and by 12 % at preview.
-    scene.metrics = {greatestStrain(world, threads, {0, infinity}),
-                     commonStrain(world, threads, {0, 4}),
+    scene.metrics = {greatestStrain(world, threads, {0, 2}), commonStrain(world, threads, {0, 4}),
                      selfIntersections(world, {cloth.first, ball.last}, {0, 0})};
     View& view = scene.view;
     view = viewOf({cloth, ball}, {0, -0.24, 0}, 0.88, Material::cotton, {1.0, 0.75, 2.2});

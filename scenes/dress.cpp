@@ -290,7 +290,8 @@ Scene dress(const Knobs& knobs) {
                        .self = self};
     };
     meet(world, {surface(outside, true), surface(inside, true), surface(body, false)},
-         {.order = 4});
+         {.detection = knobs.text("detection") == "path" ? Detection::path : Detection::end,
+          .order = 4});
     scene.options.schedule = {.substeps = 24, .iterations = 24, .collisionPasses = 24};
     scene.options.damping = 0.02;
     scene.lead = lead;

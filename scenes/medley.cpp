@@ -122,7 +122,7 @@ Scene medley(const Knobs& knobs) {
         .substeps = knobs.byQuality(20, 40, 80), .iterations = 3, .collisionPasses = 3};
     scene.options.damping = 0.05;
     scene.seconds = 3;
-    scene.metrics = {greatestStrain(world, links, {-2, 5}),
+    scene.metrics = {greatestStrain(world, links, {-2, 2}),
                      selfIntersections(world, {cloth.first, beads.last}, {0, 0}),
                      fallen(beads, cloth)};
     scene.view = viewOf(cloth, ropes, beads);

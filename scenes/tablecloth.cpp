@@ -205,7 +205,7 @@ Scene tablecloth(const Knobs& knobs) {
     scene.options.baseSteps = substeps;
     scene.options.timeScale = 0.25;
     scene.seconds = (pullStart + run / speed + hurry + 0.1) / scene.options.timeScale;
-    scene.metrics = {greatestStrain(world, threads, {0, 5}),
+    scene.metrics = {greatestStrain(world, threads, {0, 2}),
                      selfIntersections(world, {cloth.first, tins.back().last}, {0, 0}),
                      tinsMoved(world, tins)};
     scene.view = viewOf(cloth, bar, tins);

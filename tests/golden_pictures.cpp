@@ -57,7 +57,7 @@ std::vector<ComparisonEntry> bless(const fs::path& root, const std::string& scen
                            goldenPicture(folder / file)});
     };
     draw("state.png", state);
-    draw("frame.png", simulated(run, earlyFrame));
+    draw("frame.png", simulated(run, golden.early));
     makeFolder(folder);
     if (!kept) writeWhole(path, encodeFrame(state, numberSize(run)));
     writePng(folder / "state.png", entries[0].actual);

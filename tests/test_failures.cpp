@@ -1,5 +1,6 @@
 // What goes wrong is named, and leaves everything as it was.
 #include "catch.h"
+#include "contacts/surface.h"
 #include "forces/air.h"
 #include "forces/field.h"
 #include "worlds.h"
@@ -127,6 +128,22 @@ TEST_CASE("failures: a set of one's own is named in projection and in damping", 
             options.smoothing = smoothing;
             checkFailure(failureOf(world, options), "poison", 0);
         }
+    }
+}
+
+// A query of contact refuses what is not a number, on whatever thread it finds it.
+TEST_CASE("failures: what contact refuses is laid to who made it", "[failures]") {
+    World world;
+    const Range first = world.add(grid({.columns = 24, .rows = 24}, {}), {.density = 0.1});
+    const Range second =
+        world.add(grid({.columns = 24, .rows = 24}, {.origin = {0, 0, 0.001}}), {.density = 0.1});
+    bool on = true;
+    world.constrain(poison(on), {.name = "poison"});
+    meet(world, {{.vertices = first}, {.vertices = second}}, {.order = 1});
+    for (const int threads : {1, 4}) {
+        SolverOptions options = tenSubsteps;
+        options.threads = threads;
+        checkFailure(failureOf<float>(world, options), "poison", 0);
     }
 }
 

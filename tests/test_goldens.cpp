@@ -25,7 +25,8 @@ RunFrame storedState(const std::string& scene) {
 }
 
 // Holds one scene to its goldens; all failures so far stand on one page.
-void judge(const std::string& scene, std::vector<ComparisonEntry>& failures) {
+void judge(const GoldenScene& of, std::vector<ComparisonEntry>& failures) {
+    const std::string& scene = of.name;
     const Run run = goldenRun(scene);
     Renderer renderer(run.scene, goldenOptions);
     const auto hold = [&](const std::string& file, const RunFrame& frame, const PassRule& rule) {
@@ -43,7 +44,7 @@ void judge(const std::string& scene, std::vector<ComparisonEntry>& failures) {
                     writeComparisonPage(PLAIT_PAGES "/failed", failures).c_str());
     };
     hold("state.png", storedState(scene), tightRule);
-    hold("frame.png", simulated(run, earlyFrame), earlyRule);
+    hold("frame.png", simulated(run, of.early), earlyRule);
 }
 
 // The positions, moved across the picture by so many of its pixels.
@@ -66,7 +67,7 @@ Scene recoloured(Scene scene) {
 
 TEST_CASE("every scene looks like its goldens", "[goldens]") {
     std::vector<ComparisonEntry> failures;
-    for (const GoldenScene& golden : goldenScenes) judge(golden.name, failures);
+    for (const GoldenScene& golden : goldenScenes) judge(golden, failures);
 }
 
 TEST_CASE("every golden is of a scene that is listed", "[goldens]") {

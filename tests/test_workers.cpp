@@ -4,6 +4,9 @@
 #include "workers.h"
 
 #include <chrono>
+#include <numeric>
+#include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -60,6 +63,26 @@ TEST_CASE("workers: others than the calling thread take part", "[threads]") {
         others += by[1] != self;
     }
     CHECK(others == 20);
+}
+
+TEST_CASE("workers: the first of what is thrown arrives, and the rest is done", "[threads]") {
+    for (const int threads : {1, 2, 8}) {
+        Workers workers(threads);
+        for (int round = 0; round < 500; ++round) {
+            std::vector<int> runs(64, 0);
+            const auto body = [&](int begin, int end) {
+                for (int i = begin; i < end; ++i) {
+                    if (i == 9 || i == 41) throw std::runtime_error(std::to_string(i));
+                    ++runs[i];
+                }
+            };
+            REQUIRE_THROWS_WITH(workers.forBlocks(64, 1, body), "9");
+            if (threads == 8) REQUIRE(std::accumulate(runs.begin(), runs.end(), 0) == 64 - 7 - 7);
+        }
+        int runs = 0;
+        workers.forBlocks(1, 1, [&](int begin, int end) { runs += end - begin; });
+        CHECK(runs == 1);
+    }
 }
 
 TEST_CASE("workers: there is at least one", "[threads]") {

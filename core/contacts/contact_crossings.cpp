@@ -61,11 +61,13 @@ void ContactSet<Real>::cross(const Sweep<Real>& sweep, Workers& workers) {
 }
 
 template <class Real>
-void ContactSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
-    if (options_.detection == Detection::end) return;
+long ContactSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
+    if (options_.detection == Detection::end) return 0;
+    long work = 0;
     cross(sweep, workers);
     for (int pass = 0; pass < innerPasses && !crossing_.empty(); ++pass) {
         for (Contact& c : crossing_) part(sweep, c);
+        work += static_cast<long>(crossing_.size());
         contacts_.insert(contacts_.end(), crossing_.begin(), crossing_.end());
         ++counts_.passes;
         cross(sweep, workers);
@@ -75,11 +77,12 @@ void ContactSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
         contacts_.insert(contacts_.end(), crossing_.begin(), crossing_.end());
         if (held == 0) {
             counts_.failed += static_cast<long>(crossing_.size());
-            return;
+            return work;
         }
         counts_.heldBack += held;
         cross(sweep, workers);
     }
+    return work;
 }
 
 // What crosses goes back to where the substep began. Returns how many vertices that moves.

@@ -43,7 +43,7 @@ public:
 
     void begin(const Substep& substep, Workers& workers) override;
     void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override;
-    void finish(const Sweep<Real>& sweep, Workers& workers) override;
+    long finish(const Sweep<Real>& sweep, Workers& workers) override;
     void strike(const Sweep<Real>& sweep, const State<Real>& state, Workers& workers) override;
     void rebound(State<Real>& state) const override;
     void markTouched(std::vector<std::uint8_t>& touched) const override;

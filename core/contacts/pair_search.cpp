@@ -67,12 +67,13 @@ bool PairSearch::accepts(std::span<const int> a, std::span<const int> b) const {
     return true;
 }
 
-bool PairSearch::inside(std::span<const Vec<double>> at, Workers& workers) const {
+bool PairSearch::inside(std::span<const Vec<double>> at, const Rigid& moved,
+                        Workers& workers) const {
     std::atomic<bool> all{true};
     workers.forBlocks(static_cast<int>(members_.size()), 1024, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) {
             const int v = members_[i];
-            const Vec<double> a = at[v] - from_[v], b = at[v] - to_[v];
+            const Vec<double> a = at[v] - moved(from_[v]), b = at[v] - moved(to_[v]);
             if (!(std::min(dot(a, a), dot(b, b)) <= used_ * used_)) all = false;
         }
     });
@@ -81,28 +82,53 @@ bool PairSearch::inside(std::span<const Vec<double>> at, Workers& workers) const
 
 bool PairSearch::cover(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                        double slack, Workers& workers) {
-    const bool known = meetings_.empty() || !from_.empty();
-    const bool same = known && inside(start, workers) && inside(end, workers);
+    const bool same = known(start, end, workers);
     if (!same) search(start, end, slack, workers);
     follow(start, end, workers);
     return !same;
 }
 
+// Distances are the same after any rigid motion, so any serves; what stands on a wide floor may
+// stay within the margin of none.
+bool PairSearch::known(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
+                       Workers& workers) {
+    if (from_.empty()) return false;
+    for (const Rigid& moved : {rigidMotion(from_, start, members_), Rigid{}}) {
+        moved_ = moved;
+        if (inside(start, moved_, workers) && inside(end, moved_, workers)) return true;
+    }
+    return false;
+}
+
 void PairSearch::follow(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                         Workers& workers) {
-    Vec<double> mean{};
-    for (const int v : members_) mean += start[v] - from_[v];
-    mean = (1 / std::max(1.0, static_cast<double>(members_.size()))) * mean;
     strayed_.resize(from_.size());
     workers.forBlocks(static_cast<int>(members_.size()), 1024, [&](int first, int last) {
         for (int i = first; i < last; ++i) {
             const int v = members_[i];
-            const Vec<double> home = from_[v] + mean;
+            const Vec<double> home = moved_(from_[v]);
             const double strayed = length(start[v] - home), way = strayed + length(end[v] - home);
             strayed_[v] = {static_cast<float>((1 + 1e-6) * strayed + 1e-12),
                            static_cast<float>((1 + 1e-6) * way + 1e-12)};
         }
     });
+    for (auto& side : groups_)
+        for (Group& group : side) {
+            group.strayed.resize(static_cast<std::size_t>(group.count()));
+            workers.forBlocks(group.count(), 1024, [&](int first, int last) {
+                for (int i = first; i < last; ++i) group.strayed[i] = strayed(group.at(i));
+            });
+        }
+}
+
+// One vertex may have strayed furthest, and another go furthest.
+float PairSearch::strayed(std::span<const int> ids) const {
+    Stray most{};
+    for (const int v : ids) {
+        most.start = std::max(most.start, strayed_[v].start);
+        most.way = std::max(most.way, strayed_[v].way);
+    }
+    return most.start + most.way;
 }
 
 void PairSearch::measure(Workers& workers) {
@@ -125,6 +151,7 @@ void PairSearch::search(std::span<const Vec<double>> start, std::span<const Vec<
                         double slack, Workers& workers) {
     from_.assign(start.begin(), start.end());
     to_.assign(end.begin(), end.end());
+    moved_ = {};
     double fastest = 0;
     for (const int v : members_) fastest = std::max(fastest, length(end[v] - start[v]));
     used_ = std::clamp(4 * fastest, 0.1 * margin_, margin_);

@@ -6,6 +6,7 @@
 #include "../collision/kdop_tree.h"
 #include "../complex.h"
 #include "nearest.h"
+#include "rigid.h"
 #include "surface.h"
 
 #include <memory>
@@ -22,8 +23,8 @@ public:
 
     // Makes sure the list holds every pair that comes as near as its thicknesses and `slack` while
     // all vertices move from start to end (m, by vertex). Looks for pairs only where a vertex has
-    // left the margin round where it was, or was heading for, when they were last looked for;
-    // true if it did.
+    // left the margin round where it was, or was heading for, when they were last looked for, moved
+    // as rigidly as all have since; true if it did.
     bool cover(std::span<const Vec<double>> start, std::span<const Vec<double>> end, double slack,
                Workers& workers);
 
@@ -49,6 +50,7 @@ private:
         int arity = 1;
         std::vector<int> ids;
         std::unique_ptr<KDopTree<slabs>> tree{};
+        std::vector<float> strayed{};  // m: by how much each may have come nearer to others
         int count() const { return static_cast<int>(ids.size()) / arity; }
         std::span<const int> at(int i) const {
             return std::span(ids).subspan(std::size_t(i) * arity, arity);
@@ -65,10 +67,13 @@ private:
     void add(Kind kind, std::span<const int> ids);
     void mayMeet(Kind a, Kind b);
     bool accepts(std::span<const int> a, std::span<const int> b) const;
-    bool inside(std::span<const Vec<double>> at, Workers& workers) const;
+    bool inside(std::span<const Vec<double>> at, const Rigid& moved, Workers& workers) const;
+    bool known(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
+               Workers& workers);
     void search(std::span<const Vec<double>> start, std::span<const Vec<double>> end, double slack,
                 Workers& workers);
     void measure(Workers& workers);
+    float strayed(std::span<const int> ids) const;
     void follow(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                 Workers& workers);
     static Pairing pairing(const Meeting& meeting, const Candidate& candidate);
@@ -81,9 +86,11 @@ private:
     double margin_, used_ = 0;  // m: at most, and now, by how fast things are
     Group groups_[2][kinds];    // what moves, and what is pinned throughout
     std::vector<Meeting> meetings_;
-    // Where the vertices were, and were heading for, when pairs were last looked for.
+    // Where the vertices were, and were heading for, when pairs were last looked for, and how all
+    // of them have moved since.
     std::vector<Vec<double>> from_, to_;
-    // How far each has strayed since, against the mean of all, and how far it goes from there at
+    Rigid moved_;
+    // How far each has strayed since, against that motion, and how far it goes from there at
     // most; m, rounded up.
     struct Stray {
         float start, way;
@@ -94,15 +101,6 @@ private:
 template <class Item, class Visit>
 void PairSearch::collect(std::vector<std::vector<Item>>& parts, double reach, Workers& workers,
                          const Visit& visit) const {
-    // One vertex may have strayed furthest, and another go furthest.
-    const auto strayed = [&](std::span<const int> ids) {
-        Stray most{};
-        for (const int v : ids) {
-            most.start = std::max(most.start, strayed_[v].start);
-            most.way = std::max(most.way, strayed_[v].way);
-        }
-        return most.start + most.way;
-    };
     constexpr int part = 2048;
     std::size_t count = 0;
     for (const Meeting& m : meetings_) {
@@ -115,7 +113,7 @@ void PairSearch::collect(std::vector<std::vector<Item>>& parts, double reach, Wo
                 list.clear();
                 const std::size_t last = std::min(pairs.size(), std::size_t(b + 1) * part);
                 for (std::size_t i = std::size_t(b) * part; i < last; ++i) {
-                    const float way = strayed(m.a->at(pairs[i].a)) + strayed(m.b->at(pairs[i].b));
+                    const float way = m.a->strayed[pairs[i].a] + m.b->strayed[pairs[i].b];
                     if (m.apart[i] <= way + static_cast<float>(reach))
                         visit(pairing(m, pairs[i]), list);
                 }

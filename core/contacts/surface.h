@@ -1,9 +1,9 @@
 // Matter that meets matter, and on which terms.
 //
 // In core/contacts is what keeps simplices apart: who may meet (Surface), who is near (PairSearch),
-// where two are nearest (nearest.h), and the set of constraints that parts them (ContactSet). When
-// paths cross is in core/collision; whether anything did cross is counted by core/measure, which
-// uses none of this.
+// how all have moved together since pairs were looked for (rigid.h), where two are nearest
+// (nearest.h), and the set of constraints that parts them (ContactSet). When paths cross is in
+// core/collision; whether anything did cross is counted by core/measure, which uses none of this.
 #pragma once
 
 #include "../shapes.h"
