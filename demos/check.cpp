@@ -13,6 +13,7 @@ namespace {
 
 std::vector<MetricRow> simulate(const Run& run, const Arguments& arguments) {
     const auto simulation = makeSimulation(run, requestedThreads(arguments));
+    settle(*simulation, run, arguments.has("quiet"));
     std::vector<MetricRow> rows{rowOf(simulation->frame())};
     Progress progress(run.entry->name, 0, run.frames(), arguments.has("quiet"));
     for (int i = 1; i <= run.frames(); ++i) {

@@ -37,7 +37,10 @@ void RunJob::execute(RunFolder folder) {
 // The start, or every frame up to the checkpoint.
 void RunJob::begin() {
     const int last = folder_->lastFrame();
-    if (last < 0) return keep(simulation_->frame());
+    if (last < 0) {
+        timed("settle", [&] { settle(*simulation_, run_, options_.quiet); });
+        return keep(simulation_->frame());
+    }
     const auto path = folder_->checkpointPath();
     simulation_->restore(readWhole(path), path.string());
     resumedAt_ = last;

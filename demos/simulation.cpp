@@ -1,6 +1,8 @@
 #include "simulation.h"
 
 #include "errors.h"
+#include "interrupt.h"
+#include "progress.h"
 #include "solver.h"
 
 #include <chrono>
@@ -14,8 +16,11 @@ public:
     SimulationIn(const Run& run, const SolverOptions& options)
         : run_(run), solver_(run.scene.world, options) {
         const FrameRate rate = options.schedule.frameRate;
-        for (; lead_ * rate.seconds < run.scene.lead * rate.frames; ++lead_) solver_.frame();
+        while (lead_ * rate.seconds < run.scene.lead * rate.frames) ++lead_;
     }
+
+    int lead() const override { return lead_; }
+    void settle() override { solver_.frame(); }
 
     void advance() override {
         const auto start = std::chrono::steady_clock::now();
@@ -85,6 +90,17 @@ std::unique_ptr<Simulation> makeSimulation(const Run& run, int threads) {
         return std::make_unique<SimulationIn<double>>(run, options);
     } catch (const std::invalid_argument& error) {
         throw SceneError(run.entry->name + " cannot be built: " + error.what());
+    }
+}
+
+void settle(Simulation& simulation, const Run& run, bool quiet) {
+    const int frames = simulation.lead();
+    if (frames == 0) return;
+    Progress progress(run.entry->name + " settles", 0, frames, quiet);
+    for (int i = 1; i <= frames; ++i) {
+        stopIfInterrupted();
+        simulation.settle();
+        progress.show(i);
     }
 }
 

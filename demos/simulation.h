@@ -13,6 +13,11 @@ class Simulation {
 public:
     virtual ~Simulation() = default;
 
+    // Solver frames that pass before the first (Scene::lead), and one of them. All of them must
+    // have passed before anything else is asked, unless it was restored.
+    virtual int lead() const = 0;
+    virtual void settle() = 0;
+
     // Advances by one frame. Throws Diverged and stays at the frame before.
     virtual void advance() = 0;
     // Where the run is: positions and velocities as the cache keeps them, metrics of exact ones.
@@ -27,6 +32,9 @@ public:
 
 // `run` must live as long. Throws SceneError where the world or its options are at fault.
 std::unique_ptr<Simulation> makeSimulation(const Run& run, int threads);
+
+// All of its lead, with progress. Throws Interrupted.
+void settle(Simulation& simulation, const Run& run, bool quiet = true);
 
 // Bytes of a number of the cache.
 int numberSize(const Run& run);

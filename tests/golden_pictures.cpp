@@ -32,6 +32,7 @@ Run goldenRun(const std::string& scene) {
 
 RunFrame simulated(const Run& run, int number) {
     const auto simulation = makeSimulation(run, 1);
+    settle(*simulation, run);
     for (int i = 0; i < number; ++i) simulation->advance();
     RunFrame frame = simulation->frame();
     frame.seconds = 0;

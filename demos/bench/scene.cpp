@@ -36,6 +36,7 @@ struct Scratch {
 // Seconds that the whole scene takes without pictures.
 double simulate(const Run& run, int threads) {
     const auto simulation = makeSimulation(run, threads);
+    settle(*simulation, run);
     const auto start = Clock::now();
     for (int i = 1; i <= run.frames(); ++i) {
         stopIfInterrupted();
