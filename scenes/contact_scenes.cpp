@@ -7,15 +7,10 @@
 #include "views.h"
 #include "woven.h"
 
-#include <limits>
 #include <vector>
 
 namespace plait {
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 // 1 m of cotton falls from 5 cm above a ball of 25 cm radius.
 Scene sheetOnSphere(const Knobs& knobs) {
