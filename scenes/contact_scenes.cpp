@@ -10,8 +10,6 @@
 #include <vector>
 
 namespace plait {
-namespace {}  // namespace
-
 // 1 m of cotton falls from 5 cm above a ball of 25 cm radius.
 Scene sheetOnSphere(const Knobs& knobs) {
     Scene scene;
