@@ -95,20 +95,19 @@ Sweep<Real> Solver<Real>::sweepOf(int set) {
 }
 
 // Until neither leaves the other anything to do, or contacts have had the last word often enough.
+// Where another method took the substep, contacts alone: it knows nothing of mending.
 template <class Real>
 void Solver<Real>::finishSets() {
     if (contacts_.empty()) return;
-    const auto finish = [&](int s) {
-        const long work = sets_[s]->finish(sweepOf(s), workers_);
-        evaluations_ += work;
-        return work;
-    };
     constexpr int rounds = 5;
     for (int round = 0; round < rounds; ++round) {
-        for (int s = 0; s < static_cast<int>(sets_.size()); ++s)
-            if (std::ranges::find(contacts_, s) == contacts_.end()) finish(s);
-        long parted = 0;
-        for (const int s : contacts_) parted += finish(s);
+        long mended = 0, parted = 0;
+        for (int s = 0; s < static_cast<int>(sets_.size()) && !whole_; ++s)
+            if (std::ranges::find(contacts_, s) == contacts_.end())
+                mended += sets_[s]->finish(sweepOf(s), workers_);
+        if (round > 0 && mended == 0) return;
+        for (const int s : contacts_) parted += sets_[s]->finish(sweepOf(s), workers_);
+        evaluations_ += mended + parted;
         if (parted == 0) return;
     }
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 namespace plait {
+
 // 1 m of cotton falls from 5 cm above a ball of 25 cm radius.
 Scene sheetOnSphere(const Knobs& knobs) {
     Scene scene;

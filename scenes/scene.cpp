@@ -107,7 +107,7 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                     .choices = {"changing", "steady"},
                     .text = "changing"},
                    {.name = "self-collision",
-                    .meaning = "off: its folds pass through each other, in a seventh of the time",
+                    .meaning = "off: its folds pass through each other, in a tenth of the time",
                     .choices = {"on", "off"},
                     .text = "on"},
                    {.name = "mesh",

@@ -217,7 +217,7 @@ TEST_CASE("flag: flaps faster in stronger wind", "[flag][long]") {
     REQUIRE(slope < 1.7);
 }
 
-// Without self-collision, which takes most of the time and hardly moves the tip.
+// Without self-collision: with it `final` would take half an hour.
 TEST_CASE("flag: the mesh hardly matters to its frequency", "[flag][long]") {
     const auto of = [](Quality quality) {
         const Scene scene = flagOf(quality, {}, {{"weather", "steady"}, {"self-collision", "off"}});

@@ -47,7 +47,7 @@ std::vector<std::tuple<int, std::array<int, 4>>> chosen(const PairSearch& search
 }  // namespace
 
 // Some vertices stray, and others dart: an edge whose one end has strayed furthest while the other
-// goes furthest was once left out. And all of them turn, as a skirt does, by 8 cm a step at most.
+// goes furthest was once left out. And all of them turn, as a skirt does.
 TEST_CASE("contacts: pairs looked for long ago are those looked for now", "[contacts]") {
     const double angle = GENERATE(0.0, 0.2);  // rad
     const auto turned = [&](const Vec<double>& a) -> Vec<double> {
