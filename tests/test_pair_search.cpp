@@ -1,5 +1,6 @@
 // Which pairs may meet does not depend on when they were looked for.
 #include "catch.h"
+#include "contacts/apart.h"
 #include "contacts/pair_search.h"
 #include "contacts/paths.h"
 #include "random.h"
@@ -33,9 +34,7 @@ std::vector<std::tuple<int, std::array<int, 4>>> chosen(const PairSearch& search
         PairPoints from, to;
         for (std::size_t i = 0; i < 4; ++i)
             from[i] = start[pair.vertices[i]], to[i] = end[pair.vertices[i]];
-        const double distance = length(nearest(pair, from).apart);
-        if (mayMeet(pair, from, to, reach) && movesBy(distance - reach, pair, from, to))
-            list.push_back(pair);
+        if (comesWithin(reach, pair, nearest(pair, from), from, to)) list.push_back(pair);
     });
     std::vector<std::tuple<int, std::array<int, 4>>> all;
     for (const auto& part : parts)
@@ -44,7 +43,66 @@ std::vector<std::tuple<int, std::array<int, 4>>> chosen(const PairSearch& search
     return all;
 }
 
+// Corners of pairs of all kinds: anyhow, edges nearly parallel, slender triangles, a point almost
+// on them, and all of it up to 10 m away.
+struct Corners {
+    Points at;
+    FourPairs pairs;
+    double size = 0;  // m, as apartAtLeast measures it
+};
+
+double along(const Vec<double>& a) { return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z); }
+
+Corners cornersOf(int first, int second, Random& random) {
+    Corners all{.at = {}, .pairs = {{}, first, second}};
+    for (int lane = 0; lane < 4; ++lane) {
+        const double slim = std::pow(10, -random.uniform(0, 9));
+        const Vec<double> away = (random.below(2) ? 10 : 1) * random.point(1);
+        const Vec<double> u = random.point(0.02), v = u + slim * random.point(0.02);
+        const Vec<double> x0 = away + std::pow(10, -random.uniform(0, 6)) * random.point(0.05);
+        PairPoints x{x0, away, away + u, away + v};
+        if (first == 2) x = {x0, x0 + u, away, away + v};
+        for (int i = 0; i < first + second; ++i) {
+            all.pairs.vertices[i][lane] = static_cast<int>(all.at.size());
+            all.at.push_back(x[i]);
+        }
+    }
+    return all;
+}
+
 }  // namespace
+
+TEST_CASE("contacts: pairs are at least as far apart as four at a time are told", "[contacts]") {
+    Random random(11);
+    long above = 0, below = 0;
+    double most = 0;
+    for (const auto& [first, second] : {std::pair{1, 1}, {1, 2}, {1, 3}, {2, 2}})
+        for (int trial = 0; trial < 50000; ++trial) {
+            const Corners corners = cornersOf(first, second, random);
+            std::vector<Spot> spots;
+            for (const Vec<double>& x : corners.at)
+                spots.push_back({float(x.x), float(x.y), float(x.z), 0});
+            const std::array<float, 4> told = apartAtLeast(corners.pairs, spots);
+            for (std::size_t lane = 0; lane < 4; ++lane) {
+                Pairing pair{{}, first, second};
+                PairPoints x;
+                for (int i = 0; i < 4; ++i)
+                    x[i] =
+                        corners.at[corners.pairs.vertices[std::min(i, first + second - 1)][lane]];
+                const double truth = length(nearest(pair, x).apart);
+                double size = 0;
+                for (int i = 1; i < first; ++i) size += along(x[i] - x[0]);
+                for (int i = 1; i < second; ++i) size += along(x[first + i] - x[first]);
+                const double wrong = 1e-3 * size + 0x1p-20 * (along(x[0]) + along(x[first]));
+                above += !(told[lane] <= truth);
+                below += !(told[lane] >= truth - 1.5 * wrong);
+                most = std::max(most, (told[lane] + wrong - truth) / wrong);
+            }
+        }
+    note("of what is allowed, most used", most);
+    CHECK(above == 0);
+    CHECK(below == 0);
+}
 
 // Some vertices stray, and others dart: an edge whose one end has strayed furthest while the other
 // goes furthest was once left out. And all of them turn, as a skirt does.

@@ -5,6 +5,7 @@
 
 #include "../math.h"
 
+#include <xmmintrin.h>
 #include <algorithm>
 #include <limits>
 #include <span>
@@ -25,23 +26,27 @@ template <int k>
 struct KDop {
     static_assert(k == 6 || k == 14 || k == 18 || k == 26);
     static constexpr int slabs = k / 2;
+    static constexpr int padded = (slabs + 3) / 4 * 4;  // whole registers; the rest stays 0
     static constexpr float infinity = std::numeric_limits<float>::infinity();
 
-    float low[slabs], high[slabs];
+    alignas(16) float low[padded]{}, high[padded]{};
 
     static KDop nothing() { return filled(infinity); }
     static KDop everything() { return filled(-infinity); }
 
     void include(const KDop& b) {
-        for (int i = 0; i < slabs; ++i) low[i] = std::min(low[i], b.low[i]);
-        for (int i = 0; i < slabs; ++i) high[i] = std::max(high[i], b.high[i]);
+        for (int i = 0; i < padded; ++i) low[i] = std::min(low[i], b.low[i]);
+        for (int i = 0; i < padded; ++i) high[i] = std::max(high[i], b.high[i]);
     }
 
     // Closed: bounds that touch overlap.
     bool overlaps(const KDop& b) const {
-        for (int i = 0; i < slabs; ++i)
-            if (low[i] > b.high[i] || b.low[i] > high[i]) return false;
-        return true;
+        __m128 apart = _mm_setzero_ps();
+        for (int i = 0; i < padded; i += 4) {
+            apart = _mm_or_ps(apart, _mm_cmpgt_ps(_mm_load_ps(low + i), _mm_load_ps(b.high + i)));
+            apart = _mm_or_ps(apart, _mm_cmpgt_ps(_mm_load_ps(b.low + i), _mm_load_ps(high + i)));
+        }
+        return _mm_movemask_ps(apart) == 0;
     }
 
 private:

@@ -77,14 +77,61 @@ auto ContactSet<Real>::touch(const Contact& contact, const PairPoints& start,
     return {at.weight, divide(1.0, distance) * at.apart, distance - contact.gap};
 }
 
+// The least multiplier: below 0 where what touches sticks.
+template <class Real>
+double ContactSet<Real>::leastOf(const Contact& contact) const {
+    if (contact.distance > 1.05 * contact.gap) return 0;
+    const Surface& a = search_.surfaces()[search_.surfaceOf(contact.pair.vertices[0])];
+    const Surface& b = search_.surfaces()[search_.surfaceOf(contact.pair.vertices[3])];
+    return -mean(a.stickiness, b.stickiness) * h_ * h_;
+}
+
+template <class Real>
+auto ContactSet<Real>::watchOf(const Contact& contact, const Nearest& now,
+                               const PairPoints& start) const -> Watch {
+    const Pairing& pair = contact.pair;
+    const Vec<double> normal = divide(1.0, contact.distance) * now.apart;
+    Vec<double> foot{};  // from the second's first vertex
+    for (int i = pair.first + 1; i < pair.first + pair.second; ++i)
+        foot -= now.weight[i] * (start[i] - start[pair.first]);
+    Watch watch{pair.vertices, {}, {}, leastOf(contact) < 0 ? 0 : pair.first};
+    watch.normal = {static_cast<float>(normal.x), static_cast<float>(normal.y),
+                    static_cast<float>(normal.z)};
+    for (int i = 0; i < 4; ++i) {
+        const Vec<double> from = start[i] - start[pair.first] - foot;
+        const double height = dot(normal, from), wrong = 1e-6 * length(from);
+        watch.height[i] =
+            static_cast<float>(i < pair.first ? height - contact.gap - wrong : height + wrong);
+    }
+    return watch;
+}
+
+// Whether a plane is still between the two, with the gap: then it was so all the way.
+template <class Real>
+bool ContactSet<Real>::clear(const Sweep<Real>& sweep, const Watch& watch) const {
+    if (watch.first == 0) return false;
+    std::array<float, 4> height;
+    float wrong = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Real* const d = sweep.particles + 8 * watch.vertices[i] + 4;
+        const Real* const b = sweep.before + 4 * watch.vertices[i];
+        const float way = watch.normal.x * static_cast<float>(d[0] - b[0]) +
+                          watch.normal.y * static_cast<float>(d[1] - b[1]) +
+                          watch.normal.z * static_cast<float>(d[2] - b[2]);
+        height[i] = watch.height[i] + way;
+        wrong += std::fabs(way);
+    }
+    const float low = watch.first == 2 ? std::min(height[0], height[1]) : height[0];
+    const float high = std::max({height[watch.first == 2 ? 2 : 1], height[2], height[3]});
+    return low - high > 1e-6F * wrong;
+}
+
 template <class Real>
 void ContactSet<Real>::part(const Sweep<Real>& sweep, Contact& contact) const {
     const auto& v = contact.pair.vertices;
     const Surface& a = search_.surfaces()[search_.surfaceOf(v[0])];
     const Surface& b = search_.surfaces()[search_.surfaceOf(v[3])];
-    const double hold = mean(a.stickiness, b.stickiness) * h_ * h_;
-    const double least = contact.distance <= 1.05 * contact.gap ? -hold : 0;
-
+    const double least = leastOf(contact);
     const PairPoints start = startOf(contact.pair), end = endOf(sweep, contact.pair);
     const bool idle = contact.push == 0 && least == 0;
     if (idle && !movesBy(contact.distance - contact.gap, contact.pair, start, end)) return;
@@ -108,7 +155,7 @@ void ContactSet<Real>::part(const Sweep<Real>& sweep, Contact& contact) const {
     slip -= dot(slip, at.normal) * at.normal;
     const double way = length(slip);
     if (way == 0) return;
-    const double pressed = std::max(push, 0.0) + hold;
+    const double pressed = std::max(push, 0.0) - least;
     Vec<double> grip = contact.grip - divide(1.0, answers.along((1 / way) * slip)) * slip;
     grip -= dot(grip, at.normal) * at.normal;
     const double force = length(grip);

@@ -124,9 +124,10 @@ void ContactSet<Real>::consider(const Pairing& pair, std::vector<Contact>& list)
     const double reach = thickness[0] + thickness[1] + slack_;
     if (!mayMeet(pair, start, end, reach)) return;
     const Nearest now = nearest(pair, start);
-    const double distance = length(now.apart);
-    if (!movesBy(distance - reach, pair, start, end)) return;
-    list.push_back({.pair = pair, .distance = distance, .gap = gapOf(pair, now)});
+    if (!comesWithin(reach, pair, now, start, end)) return;
+    Contact contact{.pair = pair, .distance = length(now.apart), .gap = gapOf(pair, now)};
+    contact.watch = watchOf(contact, now, start);
+    list.push_back(contact);
 }
 
 template <class Real>
@@ -217,6 +218,8 @@ void ContactSet<Real>::colour() {
     auto next = colors_;
     for (const Contact& c : contacts_) sorted_[next[c.color]++] = c;
     contacts_.swap(sorted_);
+    watches_.clear();
+    for (const Contact& c : contacts_) watches_.push_back(c.watch);
 }
 
 template <class Real>
@@ -227,7 +230,11 @@ void ContactSet<Real>::project(const Sweep<Real>& sweep, Direction direction, Wo
         const int first = colors_[c], count = colors_[c + 1] - first;
         const int block = c == colorLimit ? count : 64;
         workers.forBlocks(count, block, [&](int begin, int end) {
-            for (int n = begin; n < end; ++n) part(sweep, contacts_[first + n]);
+            for (int n = first + begin; n < first + end; ++n) {
+                if (clear(sweep, watches_[n])) continue;
+                part(sweep, contacts_[n]);
+                watches_[n].first = contacts_[n].push == 0 ? contacts_[n].pair.first : 0;
+            }
         });
     }
 }

@@ -54,6 +54,16 @@ public:
 private:
     static constexpr int colorLimit = 64;  // contacts beyond run one by one
 
+    // A plane between two that touch no more than it is crossed. Most contacts never come to be
+    // more than this, so it is kept apart from them, and small.
+    struct Watch {
+        std::array<int, 4> vertices;
+        Vec<float> normal;  // of unit length, to the first
+        std::array<float, 4>
+            height;  // m, of each over the plane of the second one's nearest point,
+                     // of the first one's less the gap, when the substep begins
+        int first;   // vertices of the first; 0: look at the contact itself
+    };
     struct Contact {
         Pairing pair;
         int color = 0;
@@ -61,6 +71,7 @@ private:
         double gap;          // m, to be kept
         double push = 0;     // multiplier across, kg m
         Vec<double> grip{};  // multiplier along, kg m
+        Watch watch{};
     };
     // Where two touch, and the way from the second to the first.
     struct Touch {
@@ -78,6 +89,9 @@ private:
     PairPoints startOf(const Pairing& pair) const;
     PairPoints endOf(const Sweep<Real>& sweep, const Pairing& pair) const;
     Touch touch(const Contact& contact, const PairPoints& start, const PairPoints& end) const;
+    Watch watchOf(const Contact& contact, const Nearest& now, const PairPoints& start) const;
+    double leastOf(const Contact& contact) const;
+    bool clear(const Sweep<Real>& sweep, const Watch& watch) const;
     void part(const Sweep<Real>& sweep, Contact& contact) const;
     void check(const Pairing& pair, std::vector<Contact>& list) const;
     bool asForeseen(Workers& workers) const;
@@ -95,6 +109,7 @@ private:
     std::vector<Path> paths_;  // by vertex, of this substep
     std::vector<int> bent_;    // vertices that bounced
     std::vector<Contact> contacts_, sorted_, crossing_;
+    std::vector<Watch> watches_;                // of contacts_, as they were found
     std::array<int, colorLimit + 2> colors_{};  // where each colour begins in contacts_
     std::vector<std::vector<Contact>> parts_;
     std::vector<std::uint64_t> taken_;  // colours at each vertex

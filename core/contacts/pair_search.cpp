@@ -55,7 +55,7 @@ void PairSearch::mayMeet(Kind a, Kind b) {
     for (const auto& [i, j] : {std::pair{0, 0}, {0, 1}, {1, 0}}) {
         const Group &first = groups_[i][a], &second = groups_[j][b];
         if ((a == b && i > j) || first.count() == 0 || second.count() == 0) continue;
-        meetings_.push_back({&first, &second, {}});
+        meetings_.push_back({.a = &first, .b = &second, .found = {}});
     }
 }
 
@@ -82,6 +82,7 @@ bool PairSearch::inside(std::span<const Vec<double>> at, const Rigid& moved,
 
 bool PairSearch::cover(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                        double slack, Workers& workers) {
+    place(start, end, workers);
     const bool same = known(start, end, workers);
     if (!same) search(start, end, slack, workers);
     follow(start, end, workers);
@@ -98,6 +99,22 @@ bool PairSearch::known(std::span<const Vec<double>> start, std::span<const Vec<d
         if (inside(start, moved_, workers) && inside(end, moved_, workers)) return true;
     }
     return false;
+}
+
+void PairSearch::place(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
+                       Workers& workers) {
+    const auto spot = [](const Vec<double>& x) {
+        return Spot{static_cast<float>(x.x), static_cast<float>(x.y), static_cast<float>(x.z), 0};
+    };
+    at_.resize(start.size());
+    way_.resize(start.size());
+    workers.forBlocks(static_cast<int>(members_.size()), 1024, [&](int first, int last) {
+        for (int i = first; i < last; ++i) {
+            const int v = members_[i];
+            at_[v] = spot(start[v] - start[0]);
+            way_[v] = spot(end[v] - start[v]);
+        }
+    });
 }
 
 void PairSearch::follow(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
@@ -131,20 +148,68 @@ float PairSearch::strayed(std::span<const int> ids) const {
     return most.start + most.way;
 }
 
-void PairSearch::measure(Workers& workers) {
-    for (Meeting& m : meetings_) {
-        const auto pairs = m.found.pairs();
-        m.apart.resize(pairs.size());
-        workers.forBlocks(static_cast<int>(pairs.size()), 1024, [&](int begin, int end) {
-            for (int i = begin; i < end; ++i) {
-                const Pairing pair = pairing(m, pairs[i]);
-                std::array<Vec<double>, 4> x;
-                for (std::size_t n = 0; n < 4; ++n) x[n] = from_[pair.vertices[n]];
-                const double apart = length(nearest(pair, x).apart);
-                m.apart[i] = static_cast<float>((1 - 1e-6) * apart - 1e-12);
+// Keeps of what was found by its bounds, part by part, what is near enough.
+void PairSearch::sift(Meeting& m, Workers& workers) {
+    const auto pairs = m.found.pairs();
+    m.near.resize(pairs.size());
+    m.kept.resize(static_cast<std::size_t>(m.parts()));
+    workers.forBlocks(m.parts(), 1, [&](int begin, int end) {
+        for (int b = begin; b < end; ++b) {
+            const std::size_t first = std::size_t(b) * part;
+            std::size_t to = first;
+            const auto block =
+                pairs.subspan(first, std::min(pairs.size() - first, std::size_t(part)));
+            for (std::size_t i = 0; i < block.size(); i += 4) {
+                std::array<Listed, 4> four;
+                for (std::size_t k = 0; k < 4; ++k) {
+                    const Candidate& c = block[std::min(i + k, block.size() - 1)];
+                    four[k] = {c.a, c.b, 0};
+                }
+                const std::array<float, 4> apart = apartAtLeast(fourOf(m, four), at_);
+                for (std::size_t k = 0; k < 4 && i + k < block.size(); ++k) {
+                    if (apart[k] > m.a->reach[four[k].a] + m.b->reach[four[k].b]) continue;
+                    m.near[to] = four[k];
+                    m.near[to++].apart = apart[k];
+                }
             }
-        });
+            m.kept[b] = static_cast<int>(to - first);
+        }
+    });
+}
+
+FourPairs PairSearch::fourOf(const Meeting& m, std::span<const Listed, 4> four) {
+    FourPairs pairs{{}, m.a->arity, m.b->arity};
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+        std::size_t n = 0;
+        for (const int v : m.a->at(four[lane].a)) pairs.vertices[n++][lane] = v;
+        for (const int v : m.b->at(four[lane].b)) pairs.vertices[n++][lane] = v;
     }
+    return pairs;
+}
+
+std::array<float, 4> PairSearch::nearing(const Meeting& m, std::span<const Listed, 4> four) const {
+    const FourPairs pairs = fourOf(m, four);
+    std::array<float, 4> apart = apartAtLeast(pairs, at_);
+    const std::array<float, 4> less = goApart(pairs, way_);
+    for (std::size_t i = 0; i < 4; ++i) apart[i] -= less[i];
+    return apart;
+}
+
+// Bounds of what each vertex sweeps: those of a simplex are all of its vertices'. A thousandth
+// wider, since impacts may be told a little early.
+void PairSearch::sweep(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
+                       double slack, Workers& workers) {
+    swept_.resize(start.size());
+    workers.forBlocks(static_cast<int>(members_.size()), 256, [&](int first, int last) {
+        for (int i = first; i < last; ++i) {
+            const int v = members_[i];
+            const Travel travel{start, end, 1.001 * (thickness_[v] + 0.5 * slack + used_),
+                                start[0]};
+            const double reach = travel.radius + length(end[v] - start[v]);
+            swept_[v] = {sweptBounds<18>(std::span(&v, 1), travel),
+                         static_cast<float>((1 + 1e-6) * reach + 1e-12)};
+        }
+    });
 }
 
 void PairSearch::search(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
@@ -155,21 +220,25 @@ void PairSearch::search(std::span<const Vec<double>> start, std::span<const Vec<
     double fastest = 0;
     for (const int v : members_) fastest = std::max(fastest, length(end[v] - start[v]));
     used_ = std::clamp(4 * fastest, 0.1 * margin_, margin_);
-    Travel travel{.start = start, .end = end};
-    for (const Vec<double>& x : start.first(1)) travel.origin = x;
+    sweep(start, end, slack, workers);
     for (auto& side : groups_)
         for (Group& group : side) {
             if (group.count() == 0) continue;
+            group.reach.resize(static_cast<std::size_t>(group.count()));
             const auto bound = [&](int i) {
-                Travel of = travel;
-                for (const int v : group.at(i)) of.radius = std::max(of.radius, thickness_[v]);
-                of.radius += 0.5 * slack + used_;
-                return sweptBounds<slabs>(group.at(i), of);
+                auto bounds = Bounds::nothing();
+                float reach = 0;
+                for (const int v : group.at(i)) {
+                    bounds.include(swept_[v].bounds);
+                    reach = std::max(reach, swept_[v].reach);
+                }
+                group.reach[i] = reach;
+                return bounds;
             };
             if (group.tree)
                 group.tree->refit(bound, workers);
             else
-                group.tree = std::make_unique<KDopTree<slabs>>(group.count(), bound, workers);
+                group.tree = std::make_unique<Tree>(group.count(), bound, workers);
         }
     for (Meeting& m : meetings_) {
         const auto accept = [&](int i, int j) { return accepts(m.a->at(i), m.b->at(j)); };
@@ -177,12 +246,12 @@ void PairSearch::search(std::span<const Vec<double>> start, std::span<const Vec<
             m.a->tree->selfPairs(m.found, workers, accept);
         else
             m.a->tree->pairs(*m.b->tree, m.found, workers, accept);
+        sift(m, workers);
     }
-    measure(workers);
 }
 
-Pairing PairSearch::pairing(const Meeting& meeting, const Candidate& candidate) {
-    const auto a = meeting.a->at(candidate.a), b = meeting.b->at(candidate.b);
+Pairing PairSearch::pairing(const Meeting& meeting, const Listed& listed) {
+    const auto a = meeting.a->at(listed.a), b = meeting.b->at(listed.b);
     Pairing pair{{}, meeting.a->arity, meeting.b->arity};
     int n = 0;
     for (const int v : a) pair.vertices[n++] = v;
@@ -193,7 +262,8 @@ Pairing PairSearch::pairing(const Meeting& meeting, const Candidate& candidate) 
 
 long PairSearch::size() const {
     long sum = 0;
-    for (const Meeting& m : meetings_) sum += static_cast<long>(m.found.pairs().size());
+    for (const Meeting& m : meetings_)
+        for (const int kept : m.kept) sum += kept;
     return sum;
 }
 

@@ -5,6 +5,7 @@
 #include "../collision/candidates.h"
 #include "../collision/kdop_tree.h"
 #include "../complex.h"
+#include "apart.h"
 #include "nearest.h"
 #include "rigid.h"
 #include "surface.h"
@@ -43,25 +44,34 @@ public:
     double thickness(int vertex) const { return thickness_[static_cast<std::size_t>(vertex)]; }
 
 private:
-    static constexpr int slabs = 6;
+    static constexpr int part = 2048;  // pairs to a part
+    using Bounds = KDop<18>;
+    using Tree = KDopTree<18>;
 
     // Simplices of one dimension, a table of `arity` vertices each, in a tree of their own.
     struct Group {
         int arity = 1;
         std::vector<int> ids;
-        std::unique_ptr<KDopTree<slabs>> tree{};
+        std::unique_ptr<Tree> tree{};
         std::vector<float> strayed{};  // m: by how much each may have come nearer to others
+        std::vector<float> reach{};    // m: how near others must be to be listed with each
         int count() const { return static_cast<int>(ids.size()) / arity; }
         std::span<const int> at(int i) const {
             return std::span(ids).subspan(std::size_t(i) * arity, arity);
         }
     };
     enum Kind { points, edges, triangles, curves, grains, kinds };
-    // Two groups whose members may meet, and which do.
+    struct Listed {
+        int a, b;
+        float apart;  // m, at least, when pairs were looked for
+    };
+    // Two groups whose members may meet, and those that are near enough.
     struct Meeting {
         const Group *a, *b;
-        Candidates found;
-        std::vector<float> apart{};  // m, by pair, when it was found; rounded down
+        Candidates found;            // by their bounds
+        std::vector<Listed> near{};  // of every part of those the first `kept`
+        std::vector<int> kept{};     // by part
+        int parts() const { return static_cast<int>(found.pairs().size() + part - 1) / part; }
     };
 
     void add(Kind kind, std::span<const int> ids);
@@ -70,13 +80,21 @@ private:
     bool inside(std::span<const Vec<double>> at, const Rigid& moved, Workers& workers) const;
     bool known(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                Workers& workers);
+    void sweep(std::span<const Vec<double>> start, std::span<const Vec<double>> end, double slack,
+               Workers& workers);
     void search(std::span<const Vec<double>> start, std::span<const Vec<double>> end, double slack,
                 Workers& workers);
-    void measure(Workers& workers);
+    void sift(Meeting& meeting, Workers& workers);
+    // Of four listed ones (m): how far apart they are now, at least; and by how much less, at most,
+    // on their way to where they are heading.
+    static FourPairs fourOf(const Meeting& meeting, std::span<const Listed, 4> four);
+    std::array<float, 4> nearing(const Meeting& meeting, std::span<const Listed, 4> four) const;
     float strayed(std::span<const int> ids) const;
+    void place(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
+               Workers& workers);
     void follow(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                 Workers& workers);
-    static Pairing pairing(const Meeting& meeting, const Candidate& candidate);
+    static Pairing pairing(const Meeting& meeting, const Listed& listed);
 
     std::vector<Surface> surfaces_;
     std::vector<int> surface_;
@@ -90,33 +108,49 @@ private:
     // of them have moved since.
     std::vector<Vec<double>> from_, to_;
     Rigid moved_;
+    struct Swept {
+        Bounds bounds;
+        float reach;  // m, beyond its start
+    };
+    std::vector<Swept> swept_;  // by vertex
     // How far each has strayed since, against that motion, and how far it goes from there at
     // most; m, rounded up.
     struct Stray {
         float start, way;
     };
     std::vector<Stray> strayed_;
+    std::vector<Spot> at_,
+        way_;  // of the start last covered, from the first vertex's; and to its end
 };
 
 template <class Item, class Visit>
 void PairSearch::collect(std::vector<std::vector<Item>>& parts, double reach, Workers& workers,
                          const Visit& visit) const {
-    constexpr int part = 2048;
     std::size_t count = 0;
     for (const Meeting& m : meetings_) {
-        const auto pairs = m.found.pairs();
-        const int blocks = (static_cast<int>(pairs.size()) + part - 1) / part;
+        const std::size_t blocks = m.kept.size();
         if (parts.size() < count + blocks) parts.resize(count + blocks);
-        workers.forBlocks(blocks, 1, [&](int begin, int end) {
+        workers.forBlocks(static_cast<int>(blocks), 1, [&](int begin, int end) {
             for (int b = begin; b < end; ++b) {
                 std::vector<Item> list = std::move(parts[count + b]);
                 list.clear();
-                const std::size_t last = std::min(pairs.size(), std::size_t(b + 1) * part);
-                for (std::size_t i = std::size_t(b) * part; i < last; ++i) {
-                    const float way = m.a->strayed[pairs[i].a] + m.b->strayed[pairs[i].b];
-                    if (m.apart[i] <= way + static_cast<float>(reach))
-                        visit(pairing(m, pairs[i]), list);
+                std::array<Listed, 4> four{};
+                int waiting = 0;
+                const auto ask = [&] {
+                    std::fill(four.begin() + waiting, four.end(), four[0]);
+                    const std::array<float, 4> gap = nearing(m, four);
+                    for (int i = 0; i < waiting; ++i)
+                        if (!(gap[i] > static_cast<float>(reach))) visit(pairing(m, four[i]), list);
+                    waiting = 0;
+                };
+                for (const Listed& l :
+                     std::span(m.near).subspan(std::size_t(b) * part, m.kept[b])) {
+                    const float way = m.a->strayed[l.a] + m.b->strayed[l.b];
+                    if (l.apart > way + static_cast<float>(reach)) continue;
+                    four[waiting++] = l;
+                    if (waiting == 4) ask();
                 }
+                if (waiting > 0) ask();
                 parts[count + b] = std::move(list);
             }
         });

@@ -16,6 +16,12 @@ bool movesBy(double distance, const Pairing& pair, const PairPoints& start, cons
 // Whether the boxes round both simplices and their paths come within `reach` (m).
 bool mayMeet(const Pairing& pair, const PairPoints& start, const PairPoints& end, double reach);
 
+// Whether the two come within `reach` (m) on their way; `now` is where they are nearest at its
+// start. Never true because of how things lie in space: whoever looked for near pairs, and
+// whenever, has all for which this holds.
+bool comesWithin(double reach, const Pairing& pair, const Nearest& now, const PairPoints& start,
+                 const PairPoints& end);
+
 // When the two are no more than `thickness` (m) apart for the first time.
 Impact impactOf(const Pairing& pair, const PairPoints& start, const PairPoints& end,
                 double thickness);
