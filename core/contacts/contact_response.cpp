@@ -86,24 +86,29 @@ double ContactSet<Real>::leastOf(const Contact& contact) const {
     return -mean(a.stickiness, b.stickiness) * h_ * h_;
 }
 
+// The plane across `normal` that is halfway at the start.
 template <class Real>
-auto ContactSet<Real>::watchOf(const Contact& contact, const Nearest& now,
+auto ContactSet<Real>::watchOf(const Contact& contact, const Vec<double>& normal,
                                const PairPoints& start) const -> Watch {
     const Pairing& pair = contact.pair;
-    const Vec<double> normal = divide(1.0, contact.distance) * now.apart;
-    Vec<double> foot{};  // from the second's first vertex
-    for (int i = pair.first + 1; i < pair.first + pair.second; ++i)
-        foot -= now.weight[i] * (start[i] - start[pair.first]);
     Watch watch{pair.vertices, {}, {}, leastOf(contact) < 0 ? 0 : pair.first};
     watch.normal = {static_cast<float>(normal.x), static_cast<float>(normal.y),
                     static_cast<float>(normal.z)};
     for (int i = 0; i < 4; ++i) {
-        const Vec<double> from = start[i] - start[pair.first] - foot;
+        const Vec<double> from = start[i] - start[3];
         const double height = dot(normal, from), wrong = 1e-6 * length(from);
         watch.height[i] =
             static_cast<float>(i < pair.first ? height - contact.gap - wrong : height + wrong);
     }
     return watch;
+}
+
+// By how much the first is higher than the second, less the gap.
+template <class Real>
+float ContactSet<Real>::room(const Watch& watch, const std::array<float, 4>& height) {
+    const bool edge = watch.first == 2;
+    const float low = edge ? std::min(height[0], height[1]) : height[0];
+    return low - std::max({height[edge ? 2 : 1], height[2], height[3]});
 }
 
 // Whether a plane is still between the two, with the gap: then it was so all the way.
@@ -121,9 +126,22 @@ bool ContactSet<Real>::clear(const Sweep<Real>& sweep, const Watch& watch) const
         height[i] = watch.height[i] + way;
         wrong += std::fabs(way);
     }
-    const float low = watch.first == 2 ? std::min(height[0], height[1]) : height[0];
-    const float high = std::max({height[watch.first == 2 ? 2 : 1], height[2], height[3]});
-    return low - high > 1e-6F * wrong;
+    return room(watch, height) > 1e-6F * wrong;
+}
+
+// The same by a plane across the way between them as it is now; if so, it is watched from here on.
+// Before, too, it must have had them on either side, and far enough apart that no impact is told.
+template <class Real>
+bool ContactSet<Real>::clearNow(Contact& contact, const PairPoints& start,
+                                const PairPoints& end) const {
+    const Nearest now = nearest(contact.pair, end);
+    const double distance = length(now.apart);
+    if (!(distance >= contact.gap && distance > 0)) return false;
+    const Watch watch = watchOf(contact, divide(1.0, distance) * now.apart, start);
+    const double least = 0.5 * std::min(contact.gap, contact.distance) - contact.gap;
+    if (!(room(watch, watch.height) > least)) return false;
+    contact.watch = watch;
+    return true;
 }
 
 template <class Real>
@@ -134,7 +152,7 @@ void ContactSet<Real>::part(const Sweep<Real>& sweep, Contact& contact) const {
     const double least = leastOf(contact);
     const PairPoints start = startOf(contact.pair), end = endOf(sweep, contact.pair);
     const bool idle = contact.push == 0 && least == 0;
-    if (idle && !movesBy(contact.distance - contact.gap, contact.pair, start, end)) return;
+    if (idle && clearNow(contact, start, end)) return;
     const Touch at = touch(contact, start, end);
     if (idle && at.value >= 0) return;
     const double shocked = 1 / options_.layerShock;

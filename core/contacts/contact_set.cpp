@@ -126,7 +126,7 @@ void ContactSet<Real>::consider(const Pairing& pair, std::vector<Contact>& list)
     const Nearest now = nearest(pair, start);
     if (!comesWithin(reach, pair, now, start, end)) return;
     Contact contact{.pair = pair, .distance = length(now.apart), .gap = gapOf(pair, now)};
-    contact.watch = watchOf(contact, now, start);
+    contact.watch = watchOf(contact, divide(1.0, contact.distance) * now.apart, start);
     list.push_back(contact);
 }
 
@@ -233,7 +233,8 @@ void ContactSet<Real>::project(const Sweep<Real>& sweep, Direction direction, Wo
             for (int n = first + begin; n < first + end; ++n) {
                 if (clear(sweep, watches_[n])) continue;
                 part(sweep, contacts_[n]);
-                watches_[n].first = contacts_[n].push == 0 ? contacts_[n].pair.first : 0;
+                watches_[n] = contacts_[n].watch;
+                if (contacts_[n].push != 0) watches_[n].first = 0;
             }
         });
     }

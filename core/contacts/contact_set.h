@@ -54,15 +54,14 @@ public:
 private:
     static constexpr int colorLimit = 64;  // contacts beyond run one by one
 
-    // A plane between two that touch no more than it is crossed. Most contacts never come to be
-    // more than this, so it is kept apart from them, and small.
+    // A plane between two. Most contacts never come to be more than this, so it is kept apart from
+    // them, and small.
     struct Watch {
         std::array<int, 4> vertices;
-        Vec<float> normal;  // of unit length, to the first
-        std::array<float, 4>
-            height;  // m, of each over the plane of the second one's nearest point,
-                     // of the first one's less the gap, when the substep begins
-        int first;   // vertices of the first; 0: look at the contact itself
+        Vec<float> normal;            // of unit length, to the first
+        std::array<float, 4> height;  // m, of each over the last when the substep begins, the
+                                      // first one's less the gap
+        int first;                    // vertices of the first; 0: look at the contact itself
     };
     struct Contact {
         Pairing pair;
@@ -89,7 +88,9 @@ private:
     PairPoints startOf(const Pairing& pair) const;
     PairPoints endOf(const Sweep<Real>& sweep, const Pairing& pair) const;
     Touch touch(const Contact& contact, const PairPoints& start, const PairPoints& end) const;
-    Watch watchOf(const Contact& contact, const Nearest& now, const PairPoints& start) const;
+    Watch watchOf(const Contact& contact, const Vec<double>& normal, const PairPoints& start) const;
+    static float room(const Watch& watch, const std::array<float, 4>& height);
+    bool clearNow(Contact& contact, const PairPoints& start, const PairPoints& end) const;
     double leastOf(const Contact& contact) const;
     bool clear(const Sweep<Real>& sweep, const Watch& watch) const;
     void part(const Sweep<Real>& sweep, Contact& contact) const;
