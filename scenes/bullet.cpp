@@ -69,7 +69,7 @@ Scene bullet(const Knobs& knobs) {
                        .thickness = thickness,
                        .staticFriction = 0,
                        .dynamicFriction = 0,
-                       .self = false};
+                       .self = Self::none};
     };
     meet(world, {surface(sheet, 0), surface(ball, radius)},
          {.detection = path ? Detection::path : Detection::end, .order = 3});

@@ -29,7 +29,7 @@ Scene sheetOnSphere(const Knobs& knobs) {
     const std::vector<int> threads = weave(world, cloth, gridThreads(n), 15, "", 0.01);
     world.constrain(bendRows(world.complex, cloth, world.rest, 1e-6), {.name = "bend", .order = 3});
     Surface body = roughSurface(ball, thickness, friction);
-    body.self = false;
+    body.self = Self::none;
     meet(world, {roughSurface(cloth, thickness, friction), body}, {.order = 4});
     scene.options.schedule = {
         .substeps = knobs.byQuality(16, 32, 64), .iterations = 2, .collisionPasses = 2};

@@ -282,14 +282,15 @@ Scene dress(const Knobs& knobs) {
     // Less than what is between vertices at the waist: threads that gather would push each other
     // away.
     const double thickness = knobs.byQuality(0.0015, 0.00075, 0.0004);  // m
-    const auto surface = [thickness](Range vertices, bool self) {
+    const auto surface = [thickness](Range vertices, Self self) {
         return Surface{.vertices = vertices,
                        .thickness = thickness,
                        .staticFriction = 0.2,
                        .dynamicFriction = 0.2,
                        .self = self};
     };
-    meet(world, {surface(outside, true), surface(inside, true), surface(body, false)},
+    meet(world,
+         {surface(outside, Self::full), surface(inside, Self::full), surface(body, Self::none)},
          {.detection = knobs.text("detection") == "path" ? Detection::path : Detection::end,
           .order = 4});
     scene.options.schedule = {.substeps = 24, .iterations = 24, .collisionPasses = 24};

@@ -69,7 +69,7 @@ Scene layeredSheets(const Knobs& knobs) {
         world.add(sphere({.subdivisions = 3, .radius = radius}, {.origin = {0, -radius, 0}}));
     world.pin(pointStencils(ball));
     surfaces.push_back(roughSurface(ball, thickness, friction));
-    surfaces.back().self = false;
+    surfaces.back().self = Self::none;
     world.act<Gravity>(GravityOptions{});
     meet(world, surfaces, {.order = 4, .layerShock = knobs.number("shock")});
     scene.options.schedule = {

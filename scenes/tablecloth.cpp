@@ -162,7 +162,7 @@ void meetAll(World& world, Range cloth, Range table, const std::vector<Range>& t
         surfaces.push_back(roughSurface(tin, thickness, friction));
         surfaces.back().layer = 1;
     }
-    for (std::size_t i = 1; i < surfaces.size(); ++i) surfaces[i].self = false;
+    for (std::size_t i = 1; i < surfaces.size(); ++i) surfaces[i].self = Self::none;
     meet(world, surfaces, {.order = 5, .layerShock = 30});
     addGround(world, {tins.front().first, tins.back().last}, floorHeight, thickness, 6);
 }

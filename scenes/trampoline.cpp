@@ -91,7 +91,7 @@ Scene trampoline(const Knobs& knobs) {
     keepShapes(world, balls, {.name = "balls", .order = 1});
     std::vector<Surface> surfaces{{.vertices = sheet, .thickness = thickness}};
     for (const Range ball : balls)
-        surfaces.push_back({.vertices = ball, .thickness = thickness, .self = false});
+        surfaces.push_back({.vertices = ball, .thickness = thickness, .self = Self::none});
     meet(world, surfaces, {.order = 2});
     addGround(world, {balls.front().first, balls.back().last}, -bed, thickness, 3);
     scene.options.schedule = {

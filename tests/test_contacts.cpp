@@ -209,7 +209,7 @@ TEST_CASE("contacts: the same bits from any number of threads, and resumed",
     world.pin(all);
     world.act<Gravity>(GravityOptions{});
     holdSheet(world, sheet);
-    meet(world, {{.vertices = sheet}, {.vertices = ball, .self = false}}, {.order = 9});
+    meet(world, {{.vertices = sheet}, {.vertices = ball, .self = Self::none}}, {.order = 9});
     std::uint64_t expected = 0;
     State<float> middle;
     long evaluations = 0;

@@ -56,7 +56,7 @@ Shots shoot(int bullets, std::uint64_t seed, bool contacts = true) {
     if (contacts)
         meet(world,
              {{.vertices = sheet, .thickness = 0.5 * thickness},
-              {.vertices = shots, .thickness = 0.5 * thickness, .self = false}},
+              {.vertices = shots, .thickness = 0.5 * thickness, .self = Self::none}},
              {.order = 9});
     Solver<float> solver(world, [] {
         SolverOptions options = stepping(120);

@@ -53,7 +53,7 @@ void ContactSet<Real>::cross(const Sweep<Real>& sweep, Workers& workers) {
     } else {
         counts_.searches += search_.cover(start_, end_, slack_, workers);
         search_.collect(
-            parts_, 0.5 * slack_, workers,
+            parts_, 0.5 * widest_, workers,
             [&](const Pairing& pair, std::vector<Contact>& list) { check(pair, list); });
     }
     gather(crossing_);

@@ -26,12 +26,22 @@ double meanEdge(const World& world, const std::vector<Surface>& surfaces) {
     return count ? sum / static_cast<double>(count) : 0;
 }
 
+double thickest(const Surface& s) {
+    double most = s.thickness;
+    for (const double r : s.radii) most = std::max(most, r);
+    return most;
+}
+
 double thickest(const std::vector<Surface>& surfaces) {
     double most = 0;
-    for (const Surface& s : surfaces) {
-        most = std::max(most, s.thickness);
-        for (const double r : s.radii) most = std::max(most, r);
-    }
+    for (const Surface& s : surfaces) most = std::max(most, thickest(s));
+    return most;
+}
+
+double widest(const std::vector<Surface>& surfaces) {
+    double most = thickest(surfaces);
+    for (const Surface& s : surfaces)
+        if (s.self != Self::none) most = std::max(most, thickest(s) * s.selfWidth);
     return most;
 }
 
@@ -51,7 +61,8 @@ ContactSet<Real>::ContactSet(const World& world, const std::vector<Surface>& sur
       end_(world.start),
       pinned_(world.pinned),
       taken_(world.start.size()),
-      slack_(thickest(surfaces)) {  // so that thicknesses and slack are at most 3 slack_
+      slack_(thickest(surfaces)),
+      widest_(widest(surfaces)) {
     for (const Surface& s : surfaces) bouncy_ = bouncy_ || s.restitution > 0;
     for (std::size_t v = 0; v < world.mass.size(); ++v)
         inverseMass_.push_back(world.pinned[v] ? 0 : 1 / world.mass[v]);
@@ -105,6 +116,7 @@ double ContactSet<Real>::gapOf(const Pairing& pair, const Nearest& now) const {
     double gap = 0;
     for (std::size_t i = 0; i < 4; ++i) gap += std::fabs(now.weight[i]) * search_.thickness(v[i]);
     if (search_.surfaceOf(v[0]) == search_.surfaceOf(v[3])) {
+        gap *= search_.width(v[0], v[3]);
         const Nearest rest = nearest(pair, {rest_[v[0]], rest_[v[1]], rest_[v[2]], rest_[v[3]]});
         gap = std::min(gap, length(rest.apart));
     }
@@ -121,7 +133,7 @@ void ContactSet<Real>::consider(const Pairing& pair, std::vector<Contact>& list)
     }
     const PairPoints start = startOf(pair);
     const PairPoints end{end_[v[0]], end_[v[1]], end_[v[2]], end_[v[3]]};
-    const double reach = thickness[0] + thickness[1] + slack_;
+    const double reach = search_.width(v[0], v[3]) * (thickness[0] + thickness[1]) + slack_;
     if (!mayMeet(pair, start, end, reach)) return;
     const Nearest now = nearest(pair, start);
     if (!comesWithin(reach, pair, now, start, end)) return;
@@ -135,7 +147,7 @@ void ContactSet<Real>::prepare(const Sweep<Real>& sweep, Workers& workers) {
     locate(sweep, workers);
     counts_.searches += search_.cover(start_, end_, slack_, workers);
     counts_.pairs = std::max(counts_.pairs, search_.size());
-    search_.collect(parts_, 3 * slack_, workers,
+    search_.collect(parts_, 2 * widest_ + slack_, workers,
                     [&](const Pairing& pair, std::vector<Contact>& list) { consider(pair, list); });
     gather(contacts_);
     counts_.contacts = std::max(counts_.contacts, size());

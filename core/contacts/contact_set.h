@@ -115,6 +115,7 @@ private:
     std::vector<std::vector<Contact>> parts_;
     std::vector<std::uint64_t> taken_;  // colours at each vertex
     double slack_;                      // m, that contacts reach beyond their gap
+    double widest_;                     // m, the largest thickness, as wide as it counts
     double h_ = 0;                      // s
     bool ready_ = false;                // contacts_ are those of this substep
     int foreseen_ = 0;                  // contacts as they were found; what crossed follows

@@ -18,8 +18,9 @@ void check(World& world, const Surface& s, const std::string& set) {
         refuse("a surface of vertices that are not there");
     if (!s.radii.empty() && std::ssize(s.radii) != s.vertices.size())
         refuse("one radius a vertex, or none");
-    if (!fits(s.thickness) || !std::ranges::all_of(s.radii, fits) || !fits(s.stickiness))
-        refuse("thickness, radii and stickiness are at least 0");
+    if (!fits(s.thickness) || !std::ranges::all_of(s.radii, fits) || !fits(s.stickiness) ||
+        !fits(s.selfWidth))
+        refuse("thickness, radii, stickiness and width are at least 0");
     if (!(s.restitution >= 0 && s.restitution <= 1)) refuse("restitution is from 0 to 1");
     world.warnOutside(set + ".staticFriction", s.staticFriction, 0, 1);
     world.warnOutside(set + ".dynamicFriction", s.dynamicFriction, 0, 1);

@@ -22,22 +22,30 @@ PairSearch::PairSearch(const SimplicialComplex& complex, std::vector<Surface> su
         }
     }
     for (auto& side : groups_)
-        for (const auto& [kind, arity] :
-             {std::pair{points, 1}, {edges, 2}, {triangles, 3}, {curves, 2}, {grains, 1}})
+        for (const auto& [kind, arity] : {std::pair{points, 1},
+                                          {edges, 2},
+                                          {triangles, 3},
+                                          {curves, 2},
+                                          {grains, 1},
+                                          {balls, 1}})
             side[kind].arity = arity;
     const std::vector<int> fans = complex.valences(0), wings = complex.valences(1);
-    for (int v = 0; v < complex.count(0); ++v)
+    for (int v = 0; v < complex.count(0); ++v) {
         add(fans[v] ? points : grains, complex.vertices(0, v));
+        if (surface_[v] >= 0 && surfaces_[surface_[v]].self == Self::vertex)
+            add(balls, complex.vertices(0, v));
+    }
     for (int e = 0; e < complex.count(1); ++e) {
         add(edges, complex.vertices(1, e));
         if (!wings[e]) add(curves, complex.vertices(1, e));
     }
     for (int t = 0; t < complex.count(2); ++t) add(triangles, complex.vertices(2, t));
-    mayMeet(points, triangles);
-    mayMeet(edges, edges);
-    mayMeet(grains, triangles);
-    mayMeet(grains, curves);
-    mayMeet(grains, grains);
+    mayMeet(points, triangles, Self::vertexFace);
+    mayMeet(edges, edges, Self::full);
+    mayMeet(grains, triangles, Self::vertexFace);
+    mayMeet(grains, curves, Self::vertexFace);
+    mayMeet(grains, grains, Self::vertexFace);
+    mayMeet(balls, balls, Self::vertex);
 }
 
 // A simplex belongs to the surface of all its vertices, and is pinned if they all are.
@@ -51,20 +59,32 @@ void PairSearch::add(Kind kind, std::span<const int> ids) {
     table.insert(table.end(), ids.begin(), ids.end());
 }
 
-void PairSearch::mayMeet(Kind a, Kind b) {
+void PairSearch::mayMeet(Kind a, Kind b, Self self) {
     for (const auto& [i, j] : {std::pair{0, 0}, {0, 1}, {1, 0}}) {
         const Group &first = groups_[i][a], &second = groups_[j][b];
         if ((a == b && i > j) || first.count() == 0 || second.count() == 0) continue;
-        meetings_.push_back({.a = &first, .b = &second, .found = {}});
+        meetings_.push_back({.a = &first, .b = &second, .self = self, .found = {}});
     }
 }
 
-bool PairSearch::accepts(std::span<const int> a, std::span<const int> b) const {
-    if (surface_[a[0]] == surface_[b[0]] && !surfaces_[surface_[a[0]]].self) return false;
+bool PairSearch::accepts(const Meeting& meeting, std::span<const int> a,
+                         std::span<const int> b) const {
+    const int s = surface_[a[0]];
+    const bool own = s == surface_[b[0]];
+    if (meeting.self == Self::vertex && !own) return false;
+    if (own && (surfaces_[s].self < meeting.self ||
+                (surfaces_[s].self == Self::vertex) != (meeting.self == Self::vertex)))
+        return false;
     for (const int v : a)
         for (const int u : b)
             if (u == v) return false;
     return true;
+}
+
+// How far from a vertex its skin is at most, whatever it meets.
+double PairSearch::reachOf(int vertex) const {
+    const Surface& of = surfaces_[surface_[vertex]];
+    return thickness_[vertex] * (of.self == Self::none ? 1 : std::max(1.0, of.selfWidth));
 }
 
 bool PairSearch::inside(std::span<const Vec<double>> at, const Rigid& moved,
@@ -203,7 +223,7 @@ void PairSearch::sweep(std::span<const Vec<double>> start, std::span<const Vec<d
     workers.forBlocks(static_cast<int>(members_.size()), 256, [&](int first, int last) {
         for (int i = first; i < last; ++i) {
             const int v = members_[i];
-            const Travel travel{start, end, 1.001 * (thickness_[v] + 0.5 * slack + used_),
+            const Travel travel{start, end, 1.001 * (reachOf(v) + 0.5 * slack + used_),
                                 start[0]};
             const double reach = travel.radius + length(end[v] - start[v]);
             swept_[v] = {sweptBounds<18>(std::span(&v, 1), travel),
@@ -241,7 +261,7 @@ void PairSearch::search(std::span<const Vec<double>> start, std::span<const Vec<
                 group.tree = std::make_unique<Tree>(group.count(), bound, workers);
         }
     for (Meeting& m : meetings_) {
-        const auto accept = [&](int i, int j) { return accepts(m.a->at(i), m.b->at(j)); };
+        const auto accept = [&](int i, int j) { return accepts(m, m.a->at(i), m.b->at(j)); };
         if (m.a == m.b)
             m.a->tree->selfPairs(m.found, workers, accept);
         else

@@ -30,9 +30,9 @@ public:
                Workers& workers);
 
     // Calls visit(pair, list) for all pairs that may have come within `reach` (m, at most the
-    // largest thickness twice and the slack) between the start and end last covered, in parts that
-    // are the same for any number of threads. How many it leaves out depends on when pairs were
-    // looked for: visit must decide for itself.
+    // largest thickness twice, as wide as it counts, and the slack) between the start and end last
+    // covered, in parts that are the same for any number of threads. How many it leaves out depends
+    // on when pairs were looked for: visit must decide for itself.
     template <class Item, class Visit>
     void collect(std::vector<std::vector<Item>>& parts, double reach, Workers& workers,
                  const Visit& visit) const;
@@ -42,6 +42,10 @@ public:
     // By vertex: place in surfaces(), -1 of none; and thickness, m.
     int surfaceOf(int vertex) const { return surface_[static_cast<std::size_t>(vertex)]; }
     double thickness(int vertex) const { return thickness_[static_cast<std::size_t>(vertex)]; }
+    // How often the thicknesses of two vertices count that meet each other.
+    double width(int a, int b) const {
+        return surfaceOf(a) == surfaceOf(b) ? surfaces_[std::size_t(surfaceOf(a))].selfWidth : 1;
+    }
 
 private:
     static constexpr int part = 2048;  // pairs to a part
@@ -60,7 +64,7 @@ private:
             return std::span(ids).subspan(std::size_t(i) * arity, arity);
         }
     };
-    enum Kind { points, edges, triangles, curves, grains, kinds };
+    enum Kind { points, edges, triangles, curves, grains, balls, kinds };
     struct Listed {
         int a, b;
         float apart;  // m, at least, when pairs were looked for
@@ -68,6 +72,8 @@ private:
     // Two groups whose members may meet, and those that are near enough.
     struct Meeting {
         const Group *a, *b;
+        Self self;                   // the least mode in which two of one surface do; balls do in
+                                     // no other
         Candidates found;            // by their bounds
         std::vector<Listed> near{};  // of every part of those the first `kept`
         std::vector<int> kept{};     // by part
@@ -75,8 +81,9 @@ private:
     };
 
     void add(Kind kind, std::span<const int> ids);
-    void mayMeet(Kind a, Kind b);
-    bool accepts(std::span<const int> a, std::span<const int> b) const;
+    void mayMeet(Kind a, Kind b, Self self);
+    bool accepts(const Meeting& meeting, std::span<const int> a, std::span<const int> b) const;
+    double reachOf(int vertex) const;
     bool inside(std::span<const Vec<double>> at, const Rigid& moved, Workers& workers) const;
     bool known(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                Workers& workers);

@@ -13,6 +13,14 @@
 
 namespace plait {
 
+// Which simplices of one surface meet each other (M 4.5.1) [SF1]; those of two surfaces all do.
+enum class Self {
+    none,
+    vertex,      // points with points, as balls: fastest, where balls leave no hole
+    vertexFace,  // points with triangles, not edges with edges: for what is closed
+    full
+};
+
 // All simplices of the complex whose vertices are among these.
 struct Surface {
     Range vertices;
@@ -25,7 +33,8 @@ struct Surface {
     double stickiness = 0;   // N a contact holds before it tears off; of a pair the mean
     // Of two layers, the lower one yields less (LY2): its mass counts `layerShock` times.
     int layer = 0;
-    bool self = true;  // meets itself
+    Self self = Self::full;
+    double selfWidth = 1;  // times the thickness, where it meets itself [SF4]
 };
 
 // Whether two have met on their way, or only how near they are where they have got to: then what is
