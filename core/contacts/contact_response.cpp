@@ -14,18 +14,21 @@ struct Answers {
     const Sweep<Real>& sweep;
     const Pairing& pair;
     const std::array<double, 4>& weight;
+    std::span<const double> inverse;  // 1/kg, by vertex; empty: masses are physical
     double yields[2];  // of the first simplex and of the second, 1 but for shocked layers
 
     // w I - q q^T, for vertex i.
     Vec<double> of(std::size_t i, const Vec<double>& impulse) const {
         const int v = pair.vertices[i];
+        const double yield = yields[static_cast<int>(i) >= pair.first];
+        if (!inverse.empty()) return yield * (inverse[v] * impulse);
         Vec<double> moved = double(sweep.particles[8 * v + 3]) * impulse;
         if (sweep.air) {
             const Real* const q = sweep.air + 4 * v;
             const Vec<double> along{double(q[0]), double(q[1]), double(q[2])};
             moved -= dot(along, impulse) * along;
         }
-        return yields[static_cast<int>(i) >= pair.first] * moved;
+        return yield * moved;
     }
     // How far they part along n of unit length by an impulse of 1 along it. Next to a vertex that
     // is pinned a free one has no lever to part them by; without a limit it would be flung away.
@@ -156,10 +159,12 @@ void ContactSet<Real>::part(const Sweep<Real>& sweep, Contact& contact) const {
     const Touch at = touch(contact, start, end);
     if (idle && at.value >= 0) return;
     const double shocked = 1 / options_.layerShock;
-    const Answers<Real> answers{sweep,
-                                contact.pair,
-                                at.weight,
-                                {a.layer < b.layer ? shocked : 1, b.layer < a.layer ? shocked : 1}};
+    const Answers<Real> answers{
+        sweep,
+        contact.pair,
+        at.weight,
+        options_.mass == ContactMass::legacy ? inverseMass_ : std::span<const double>{},
+        {a.layer < b.layer ? shocked : 1, b.layer < a.layer ? shocked : 1}};
     const double push = std::max(least, contact.push - divide(at.value, answers.along(at.normal)));
     answers.move((push - contact.push) * at.normal);
     contact.push = push;

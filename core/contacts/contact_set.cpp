@@ -66,6 +66,10 @@ ContactSet<Real>::ContactSet(const World& world, const std::vector<Surface>& sur
     for (const Surface& s : surfaces) bouncy_ = bouncy_ || s.restitution > 0;
     for (std::size_t v = 0; v < world.mass.size(); ++v)
         inverseMass_.push_back(world.pinned[v] ? 0 : 1 / world.mass[v]);
+    if (options_.mass == ContactMass::physical) return;
+    for (const Surface& s : surfaces)
+        for (int v = s.vertices.first; v < s.vertices.last; ++v)
+            inverseMass_[v] = world.pinned[v] ? 0 : 1 / s.pointMass;
 }
 
 template <class Real>

@@ -104,7 +104,7 @@ private:
     PairSearch search_;
     std::vector<Vec<double>> rest_, start_, end_, heading_;  // m, by vertex
     std::vector<unsigned char> pinned_;
-    std::vector<double> inverseMass_;  // 1/kg
+    std::vector<double> inverseMass_;  // 1/kg, in contacts
     bool bouncy_ = false;              // something has restitution
     std::vector<Bounce> bounces_;
     std::vector<Path> paths_;  // by vertex, of this substep

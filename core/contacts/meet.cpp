@@ -21,6 +21,7 @@ void check(World& world, const Surface& s, const std::string& set) {
     if (!fits(s.thickness) || !std::ranges::all_of(s.radii, fits) || !fits(s.stickiness) ||
         !fits(s.selfWidth))
         refuse("thickness, radii, stickiness and width are at least 0");
+    if (!(s.pointMass > 0 && fits(s.pointMass))) refuse("a point mass is above 0");
     if (!(s.restitution >= 0 && s.restitution <= 1)) refuse("restitution is from 0 to 1");
     world.warnOutside(set + ".staticFriction", s.staticFriction, 0, 1);
     world.warnOutside(set + ".dynamicFriction", s.dynamicFriction, 0, 1);

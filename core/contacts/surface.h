@@ -31,6 +31,7 @@ struct Surface {
     double dynamicFriction = 0.1;  // force along the surface over force across, while sliding
     double restitution = 0;  // speed apart over speed of approach, 0 to 1 (S 7); of a pair the mean
     double stickiness = 0;   // N a contact holds before it tears off; of a pair the mean
+    double pointMass = 1;    // kg, of each vertex in a contact, where masses are legacy
     // Of two layers, the lower one yields less (LY2): its mass counts `layerShock` times.
     int layer = 0;
     Self self = Self::full;
@@ -41,9 +42,17 @@ struct Surface {
 // fast goes through what is thin.
 enum class Detection { path, end };
 
+// What a vertex weighs in a contact.
+enum class ContactMass {
+    physical,  // what it stands for
+    legacy     // its surface's pointMass, however small a part it is: a finer mesh seems heavier,
+               // and what it takes from others is not what it gets (M 5.2) [CC26]
+};
+
 struct ContactOptions {
     std::string name = "contacts";
     Detection detection = Detection::path;
+    ContactMass mass = ContactMass::physical;
     int order = 0;
     int importance = 24;
     double layerShock = 1;  // 1: layers are alike
