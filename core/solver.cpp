@@ -239,7 +239,8 @@ void Solver<Real>::restore(const State<Real>& state, long evaluations) {
          {&state.velocity, &state.before, &state.last, &state.lastVelocity, &state.air})
         if (array->size() != state_.velocity.size() ||
             state.particles.size() != state_.particles.size() ||
-            state.tension.size() != state_.tension.size())
+            state.tension.size() != state_.tension.size() ||
+            (!state.disabled.empty() && state.disabled.size() + 1 != state_.particles.size()))
             throw std::invalid_argument("a state of another world cannot be restored");
     state_ = state;
     evaluations_ = evaluations;
@@ -263,6 +264,8 @@ std::uint64_t Solver<Real>::hash() const {
     for (const Real tension : state_.tension)
         if (!std::isfinite(tension)) throw std::logic_error("hash of a state not finite");
     if (!state_.tension.empty()) hash = hashOf(std::span<const Real>(state_.tension), hash);
+    if (!state_.disabled.empty())
+        hash = hashOf(std::span<const std::uint8_t>(state_.disabled), hash);
     // How the sheet stood in the last substep decides what its air takes in the next.
     if (state_.hasAir) hash = hashOf(std::span<const Padded<Real>>(state_.air), hash);
     return hash;

@@ -4,6 +4,7 @@
 #include "math.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace plait {
@@ -39,9 +40,11 @@ struct State {
     std::vector<Padded<Real>> air;  // q of the inverse inertia w I - q q^T of the last substep,
                                     // kg^(-1/2): added mass
     std::vector<Real> tension;      // N, by link, then contact, as the method numbers them (global)
-    bool hasAir = false;            // false: every q is 0
-    bool hasPast = false;           // last and lastVelocity hold the substep before this one
-    long substep = 0;               // since the start of the run
+    std::vector<std::uint8_t> disabled;  // by vertex, what is out of contacts
+                                         // (contacts/failures.h); empty: nothing ever is
+    bool hasAir = false;                 // false: every q is 0
+    bool hasPast = false;                // last and lastVelocity hold the substep before this one
+    long substep = 0;                    // since the start of the run
 
     int count() const { return static_cast<int>(particles.size()) - 1; }
 

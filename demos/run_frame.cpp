@@ -13,7 +13,7 @@ struct Format {
     const char* magic;  // 8 characters
     std::uint32_t version;
 };
-constexpr Format frames{"plaitfrm", 1}, checkpoints{"plaitchk", 2};
+constexpr Format frames{"plaitfrm", 1}, checkpoints{"plaitchk", 3};
 
 class Writer {
 public:
@@ -158,6 +158,8 @@ std::string encodeCheckpoint(const Checkpoint<Real>& checkpoint) {
     forArrays(state, [&](const auto& array) { writer.put(array); });
     writer.put(static_cast<std::int64_t>(state.tension.size()));
     writer.put(state.tension);
+    writer.put(static_cast<std::int64_t>(state.disabled.size()));
+    writer.put(state.disabled);
     return writer.finish();
 }
 
@@ -175,6 +177,7 @@ Checkpoint<Real> decodeCheckpoint(const std::string& bytes, const std::string& n
     state.hasPast = reader.get<std::int32_t>() != 0;
     forArrays(state, [&]<class T>(std::vector<T>& array) { array = reader.get<T>(count); });
     state.tension = reader.get<Real>(reader.get<std::int64_t>());
+    state.disabled = reader.get<std::uint8_t>(reader.get<std::int64_t>());
     return checkpoint;
 }
 

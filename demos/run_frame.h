@@ -1,6 +1,6 @@
 // A frame of a run, and how frames and the solver's state stand in the cache.
 //
-// Both files begin with eight letters, the format's version (uint32: 1 of a frame, 2 of a
+// Both files begin with eight letters, the format's version (uint32: 1 of a frame, 3 of a
 // checkpoint) and the bytes of a number (uint32: 4 or 8), and end with a hash (uint64,
 // core/measure/hash.h) of all bytes before it. Bytes run from the lowest; a number is a float or a
 // double by the precision of the run.
@@ -11,7 +11,7 @@
 //                      a byte a vertex: 1 where a contact pushed it.
 //   cache/checkpoint   "plaitchk", then int32 frame, vertices + 1; int64 substep, evaluations;
 //                      int32 air, past; then the arrays of core/state.h, in their order, the last
-//                      with its length (int64) before it.
+//                      two with their length (int64) before them.
 #pragma once
 
 #include "math.h"

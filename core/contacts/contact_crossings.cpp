@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 namespace plait {
 namespace {
@@ -15,6 +16,7 @@ constexpr int innerPasses = 5;  // M 4.2
 // a quarter of their gap.
 template <class Real>
 void ContactSet<Real>::check(const Pairing& pair, std::vector<Contact>& list) const {
+    if (failures_ && failures_->leavesOut(pair)) return;
     const auto& v = pair.vertices;
     const PairPoints start = startOf(pair);
     const PairPoints end{end_[v[0]], end_[v[1]], end_[v[2]], end_[v[3]]};
@@ -62,11 +64,15 @@ void ContactSet<Real>::cross(const Sweep<Real>& sweep, Workers& workers) {
 
 template <class Real>
 long ContactSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
+    for (Contact& c : contacts_) counts_.limited += std::exchange(c.limited, false);
     if (options_.detection == Detection::end) return 0;
     long work = 0;
     cross(sweep, workers);
     for (int pass = 0; pass < innerPasses && !crossing_.empty(); ++pass) {
-        for (Contact& c : crossing_) part(sweep, c);
+        for (Contact& c : crossing_) {
+            part(sweep, c);
+            counts_.limited += std::exchange(c.limited, false);
+        }
         work += static_cast<long>(crossing_.size());
         contacts_.insert(contacts_.end(), crossing_.begin(), crossing_.end());
         ++counts_.passes;
@@ -77,6 +83,8 @@ long ContactSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
         contacts_.insert(contacts_.end(), crossing_.begin(), crossing_.end());
         if (held == 0) {
             counts_.failed += static_cast<long>(crossing_.size());
+            for (const Contact& c : crossing_)
+                if (failures_) failures_->fail(c.pair, counts_);
             return work;
         }
         counts_.heldBack += held;

@@ -30,6 +30,13 @@ struct Answers {
         }
         return yield * moved;
     }
+    // The multiplier along n that moves none of them by more than this (m).
+    double within(double limit, const Vec<double>& n) const {
+        double most = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+            if (weight[i] != 0) most = std::max(most, length(of(i, weight[i] * n)));
+        return divide(limit, most);
+    }
     // How far they part along n of unit length by an impulse of 1 along it. Next to a vertex that
     // is pinned a free one has no lever to part them by; without a limit it would be flung away.
     double along(const Vec<double>& n) const {
@@ -165,7 +172,12 @@ void ContactSet<Real>::part(const Sweep<Real>& sweep, Contact& contact) const {
         at.weight,
         options_.mass == ContactMass::legacy ? inverseMass_ : std::span<const double>{},
         {a.layer < b.layer ? shocked : 1, b.layer < a.layer ? shocked : 1}};
-    const double push = std::max(least, contact.push - divide(at.value, answers.along(at.normal)));
+    double push = std::max(least, contact.push - divide(at.value, answers.along(at.normal)));
+    if (options_.displacementLimit > 0) {
+        const double most = answers.within(options_.displacementLimit, at.normal);
+        contact.limited = contact.limited || push > most;
+        push = std::min(push, most);
+    }
     answers.move((push - contact.push) * at.normal);
     contact.push = push;
 

@@ -66,6 +66,8 @@ ContactSet<Real>::ContactSet(const World& world, const std::vector<Surface>& sur
     for (const Surface& s : surfaces) bouncy_ = bouncy_ || s.restitution > 0;
     for (std::size_t v = 0; v < world.mass.size(); ++v)
         inverseMass_.push_back(world.pinned[v] ? 0 : 1 / world.mass[v]);
+    if (Failures::needed(surfaces, options))
+        failures_ = std::make_unique<Failures>(world, surfaces, options);
     if (options_.mass == ContactMass::physical) return;
     for (const Surface& s : surfaces)
         for (int v = s.vertices.first; v < s.vertices.last; ++v)
@@ -129,6 +131,7 @@ double ContactSet<Real>::gapOf(const Pairing& pair, const Nearest& now) const {
 
 template <class Real>
 void ContactSet<Real>::consider(const Pairing& pair, std::vector<Contact>& list) const {
+    if (failures_ && failures_->leavesOut(pair)) return;
     const auto& v = pair.vertices;
     double thickness[2]{};
     for (int i = 0; i < pair.first + pair.second; ++i) {
@@ -164,6 +167,10 @@ void ContactSet<Real>::prepare(const Sweep<Real>& sweep, Workers& workers) {
 template <class Real>
 void ContactSet<Real>::strike(const Sweep<Real>& sweep, const State<Real>& state,
                               Workers& workers) {
+    if (failures_) {
+        locate(sweep, workers);
+        failures_->begin(start_, state.disabled, counts_, workers);
+    }
     if (!bouncy_) return;
     prepare(sweep, workers);
     bend(sweep, state);
@@ -203,6 +210,7 @@ void ContactSet<Real>::bend(const Sweep<Real>& sweep, const State<Real>& state) 
 // The first-order velocity and a past that continues it, so that BDF2 extrapolates no bounce.
 template <class Real>
 void ContactSet<Real>::rebound(State<Real>& state) const {
+    if (failures_) failures_->store(state.disabled);
     for (const int v : bent_) {
         const Vec<double> kick = divide(1.0, h_) * (start_[v] - paths_[v].start);
         const Vec<Real> d = state.particles[v].d;

@@ -14,6 +14,7 @@
 #pragma once
 
 #include "../constraint.h"
+#include "failures.h"
 #include "impacts.h"
 #include "pair_search.h"
 
@@ -33,6 +34,10 @@ struct ContactCounts {
     long passes = 0;    // over what crossed after the last column
     long heldBack = 0;  // vertices put back to where they were
     long failed = 0;    // pairs that cross all the same
+    long tangled = 0;   // vertices where a substep begins, at most, if it is asked
+    long disabled = 0;  // vertices taken out of contacts as failed
+    long enabled = 0;   // of these, taken back
+    long limited = 0;   // times that a contact reached the limit of displacement
 };
 
 template <class Real>
@@ -71,6 +76,7 @@ private:
         double push = 0;     // multiplier across, kg m
         Vec<double> grip{};  // multiplier along, kg m
         Watch watch{};
+        bool limited = false;  // reached the limit of displacement
     };
     // Where two touch, and the way from the second to the first.
     struct Touch {
@@ -113,12 +119,13 @@ private:
     std::vector<Watch> watches_;                // of contacts_, as they were found
     std::array<int, colorLimit + 2> colors_{};  // where each colour begins in contacts_
     std::vector<std::vector<Contact>> parts_;
-    std::vector<std::uint64_t> taken_;  // colours at each vertex
-    double slack_;                      // m, that contacts reach beyond their gap
-    double widest_;                     // m, the largest thickness, as wide as it counts
-    double h_ = 0;                      // s
-    bool ready_ = false;                // contacts_ are those of this substep
-    int foreseen_ = 0;                  // contacts as they were found; what crossed follows
+    std::vector<std::uint64_t> taken_;    // colours at each vertex
+    double slack_;                        // m, that contacts reach beyond their gap
+    double widest_;                       // m, the largest thickness, as wide as it counts
+    double h_ = 0;                        // s
+    bool ready_ = false;                  // contacts_ are those of this substep
+    int foreseen_ = 0;                    // contacts as they were found; what crossed follows
+    std::unique_ptr<Failures> failures_;  // null: nothing is ever left out
     ContactCounts counts_;
 };
 

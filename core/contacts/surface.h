@@ -2,12 +2,14 @@
 //
 // In core/contacts is what keeps simplices apart: who may meet (Surface), who is near (PairSearch),
 // how all have moved together since pairs were looked for (rigid.h), where two are nearest
-// (nearest.h), and the set of constraints that parts them (ContactSet). When paths cross is in
+// (nearest.h), the set of constraints that parts them (ContactSet), and what is done where they
+// cannot (failures.h, push_out.h). When paths cross is in
 // core/collision; whether anything did cross is counted by core/measure, which uses none of this.
 #pragma once
 
 #include "../shapes.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,9 @@ struct Surface {
     double pointMass = 1;    // kg, of each vertex in a contact, where masses are legacy
     // Of two layers, the lower one yields less (LY2): its mass counts `layerShock` times.
     int layer = 0;
+    // 0, or 1 a vertex that takes no part in contacts with its own surface, or with others, and
+    // neither does any simplex that it is a corner of (V) [FH9]; empty: all do.
+    std::vector<std::uint8_t> disableSelf{}, disableExternal{};
     Self self = Self::full;
     double selfWidth = 1;  // times the thickness, where it meets itself [SF4]
 };
@@ -59,6 +64,16 @@ struct ContactOptions {
     double recovery = 0.5;  // m/s: how fast what began too near may part; slower than it would fly
     double bounceThreshold = 0;  // m/s: what approaches more slowly, or at less than 2 g h, does
                                  // not bounce
+    // Where simplices pierce each other as a substep begins, the corners of both are left out of
+    // contacts in it: with other surfaces [FH3], or with their own, which helps to draw apart what
+    // was pinched, and may make it worse (M 4.5.3) [FH5]. M pushes the former out as well: that is
+    // pushOut (push_out.h).
+    bool trapped = false, selfTrapped = false;
+    // The same, and what crosses after all passes; until it is free, and what is beside it (V)
+    // [FH7, FH8].
+    bool disableFailed = false;
+    double displacementLimit = 0;  // m that one contact moves a vertex in a substep at most,
+                                   // across; 0: no limit [CC20]
     double margin = 0;  // m of motion until pairs are looked for again; 0: a quarter of the mean
                         // edge, at least the largest thickness
 };
