@@ -278,32 +278,6 @@ TEST_CASE("failed contacts: the same bits from any number of threads, and resume
     CHECK_THROWS_AS(resumed.restore(middle, 0), std::invalid_argument);
 }
 
-// [CC20, FH13] A point deep in the skin of a plate that would be flung out at once.
-TEST_CASE("failed contacts: a contact moves nothing further than its limit", "[contacts][failed]") {
-    for (const double limit : {0.0, 0.001}) {
-        World world;
-        const Range floor = addSlope(world, 0);
-        const Range point = addPoint(world, {0.3, 0.01, 0});
-        meet(world,
-             {{.vertices = floor, .thickness = 0.05}, {.vertices = point, .thickness = 0.05}},
-             {.recovery = 1e6, .displacementLimit = limit});
-        Solver<double> solver(world, stepping(240));
-        double most = 0, y = 0.01, v = 0;
-        for (int step = 0; step < 24; ++step) {
-            solver.frame();
-            const double now = solver.positions()[point.first].y;
-            most = std::max(most, std::fabs(now - (y + v / 240)));
-            y = now;
-            v = solver.velocities()[point.first].y;
-        }
-        const long limited = countsOf(solver, world).limited;
-        CHECK((limited > 0) == (limit > 0));
-        if (limit > 0) CHECK(report("moved by contact, m", most, limit * (1 + 1e-9)));
-        if (limit == 0) CHECK(report("without a limit, at once, m", std::fabs(most - 0.09), 1e-9));
-        CHECK(y > 0.1 - 1e-6);
-    }
-}
-
 TEST_CASE("failed contacts: flags and limits out of range are refused", "[contacts][failed]") {
     World world;
     Surface surface;

@@ -65,10 +65,10 @@ TEST_CASE("self-collision: only the full mode parts edges", "[contacts][self]") 
 
 namespace {
 
-constexpr int cells = 16, bullets = (cells / 2 - 1) * (cells / 2 - 1);
+constexpr int across = 16, bullets = (across / 2 - 1) * (across / 2 - 1);
 constexpr double cell = 0.1;  // m
 
-Shape square() { return grid({cells + 1, cells + 1, cells * cell, cells * cell}); }
+Shape square() { return grid({across + 1, across + 1, across * cell, across * cell}); }
 
 // A square sheet that is held, `stretch` times as wide as at rest, and small triangles that are
 // shot at it, one vertex ahead, at every second cell; all of it is one surface. How many of them
@@ -91,8 +91,8 @@ int through(const Shots& shots) {
     world.pin(all);
     Random random(4);
     std::vector<std::array<Vec<double>, 3>> corners;
-    for (int i = 2; i < cells; i += 2)
-        for (int j = 2; j < cells; j += 2) {
+    for (int i = 2; i < across; i += 2)
+        for (int j = 2; j < across; j += 2) {
             const Vec<double> tip{shots.stretch * cell * (i + random.uniform(0, 1)),
                                   cell * (j + random.uniform(0, 1)), 0.15};
             corners.push_back(

@@ -91,18 +91,18 @@ void Failures::disable(int vertex, bool own, ContactCounts& counts) {
 void Failures::release(bool own, ContactCounts& counts) {
     const auto& marks = own ? tangled_.own : tangled_.other;
     const auto failed = [&](int v) { return (flag(v, own) & Disabled::asFailed) != 0; };
-    std::vector<unsigned char> stuck(flags_.size(), 0);  // by piece
+    stuck_.assign(flags_.size(), 0);
     for (std::size_t v = 0; v < flags_.size(); ++v)
-        if (marks[v] || (surface_[v] >= 0 && !failed(static_cast<int>(v)))) stuck[piece_[v]] = 1;
-    std::vector<int> freed;
+        if (marks[v] || (surface_[v] >= 0 && !failed(static_cast<int>(v)))) stuck_[piece_[v]] = 1;
+    freed_.clear();
     for (int v = 0; v < std::ssize(flags_); ++v) {
         if (!failed(v) || marks[v]) continue;
         const auto beside = neighbours_[v];
-        if (!stuck[piece_[v]] || std::ranges::any_of(beside, [&](int u) { return !failed(u); }))
-            freed.push_back(v);
+        if (!stuck_[piece_[v]] || std::ranges::any_of(beside, [&](int u) { return !failed(u); }))
+            freed_.push_back(v);
     }
-    for (const int v : freed) set(v, own, Disabled::free(flag(v, own)));
-    counts.enabled += static_cast<long>(freed.size());
+    for (const int v : freed_) set(v, own, Disabled::free(flag(v, own)));
+    counts.enabled += static_cast<long>(freed_.size());
 }
 
 bool Failures::leavesOut(const Pairing& pair) const {

@@ -67,6 +67,8 @@ private:
     std::vector<int> piece_;  // by vertex: what hangs together has one number
     Tangles tangles_;
     Tangles::Marks tangled_;
+    std::vector<unsigned char> stuck_;  // by piece
+    std::vector<int> freed_;            // vertices, of this substep
 };
 
 }  // namespace plait

@@ -93,19 +93,21 @@ std::array<Vec<double>, 3> PushOutSet<Real>::cornersOf(int triangle) const {
 // to a point then tells on which side it is (Baerentzen and Aanaes 2005).
 template <class Real>
 Vec<double> PushOutSet<Real>::normalAt(int triangle, const std::array<double, 3>& weight) const {
-    std::vector<int> corners;
+    std::array<int, 3> corners{};
+    std::size_t count = 0;
     for (std::size_t i = 0; i < 3; ++i)
-        if (weight[i] != 0) corners.push_back(triangles_[triangle][i]);
+        if (weight[i] != 0) corners[count++] = triangles_[triangle][i];
     Vec<double> sum{};
     for (const int t : fans_[corners[0]]) {
         const auto& ids = triangles_[t];
-        const bool all = std::ranges::all_of(
-            corners, [&](int c) { return std::ranges::find(ids, c) != ids.end(); });
+        const bool all = std::ranges::all_of(std::span(corners).first(count), [&](int c) {
+            return std::ranges::find(ids, c) != ids.end();
+        });
         if (!all) continue;
         const auto x = cornersOf(t);
         const auto at = std::size_t(std::ranges::find(ids, corners[0]) - ids.begin());
         const Vec<double> u = x[(at + 1) % 3] - x[at], v = x[(at + 2) % 3] - x[at], n = cross(u, v);
-        const double angle = corners.size() > 1 ? 1 : arctangent2(length(n), dot(u, v));
+        const double angle = count > 1 ? 1 : arctangent2(length(n), dot(u, v));
         sum += angle * unit(n);
     }
     return unit(sum);
@@ -120,24 +122,24 @@ long PushOutSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
     locate(sweep, workers);
     pointTree_->pairs(*triangleTree_, found_, workers);
     counts_.pairs = std::max(counts_.pairs, static_cast<long>(found_.pairs().size()));
-    std::vector<Push> all;
+    near_.clear();
     for (const Candidate& pair : found_.pairs()) {
         const int v = points_[pair.a];
         const auto corners = cornersOf(pair.b);
         const Nearest at =
             nearest({{v, 0, 1, 2}, 1, 3}, {x_[v], corners[0], corners[1], corners[2]});
-        all.push_back({.vertex = v,
-                       .triangle = pair.b,
-                       .distance = length(at.apart),
-                       .way = at.apart,
-                       .out = {},
-                       .weight = {-at.weight[1], -at.weight[2], -at.weight[3]}});
+        near_.push_back({.vertex = v,
+                         .triangle = pair.b,
+                         .distance = length(at.apart),
+                         .way = at.apart,
+                         .out = {},
+                         .weight = {-at.weight[1], -at.weight[2], -at.weight[3]}});
     }
-    std::ranges::sort(all, {},
+    std::ranges::sort(near_, {},
                       [](const Push& p) { return std::tuple(p.vertex, p.distance, p.triangle); });
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        Push push = all[i];
-        if (i > 0 && all[i - 1].vertex == push.vertex) continue;
+    for (std::size_t i = 0; i < near_.size(); ++i) {
+        Push push = near_[i];
+        if (i > 0 && near_[i - 1].vertex == push.vertex) continue;
         const Vec<double> normal = normalAt(push.triangle, push.weight);
         const double side = dot(normal, push.way) < 0 ? -1 : 1, height = side * push.distance;
         if (height <= -options_.radius || height >= options_.thickness) continue;

@@ -49,8 +49,8 @@ private:
     std::vector<Vec<double>> x_;                 // m, by vertex
     std::unique_ptr<KDopTree<slabs>> pointTree_, triangleTree_;
     Candidates found_;
-    std::vector<Push> pushes_;
-    bool again_ = false;  // this substep has been finished before
+    std::vector<Push> near_, pushes_;  // near_: way from the surface, not yet the one to go
+    bool again_ = false;               // this substep has been finished before
     PushOutCounts counts_;
 };
 
