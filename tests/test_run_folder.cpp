@@ -77,6 +77,18 @@ TEST_CASE("a checkpoint goes on with the same bits, in every scene", "[program]"
         }
 }
 
+TEST_CASE("a checkpoint keeps which vertices are out of contacts", "[program]") {
+    Checkpoint<float> checkpoint;
+    checkpoint.state.particles.resize(4);
+    for (auto* array :
+         {&checkpoint.state.velocity, &checkpoint.state.before, &checkpoint.state.last,
+          &checkpoint.state.lastVelocity, &checkpoint.state.air})
+        array->resize(4);
+    checkpoint.state.disabled = {1, 0, 10};
+    const std::string bytes = encodeCheckpoint(checkpoint);
+    CHECK(decodeCheckpoint<float>(bytes, "it").state.disabled == checkpoint.state.disabled);
+}
+
 TEST_CASE("a state of another world is not restored", "[program]") {
     const Scene pendulum = build(findScene("pendulum")), chain = build(findScene("chain"));
     Solver<float> solver(pendulum.world, pendulum.options);
