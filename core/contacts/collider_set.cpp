@@ -2,6 +2,7 @@
 
 #include "../world.h"
 #include "friction.h"
+#include "reals.h"
 
 #include <algorithm>
 #include <atomic>
@@ -13,22 +14,7 @@ namespace {
 // Cosine of the angle between two sides that count as one: what has gone round an edge by less
 // slides on, and cuts off no more than 0.026 of its radius.
 constexpr double sameSide = 0.9;
-constexpr double gravity = 9.81;  // m/s^2: what rests approaches by its step
-constexpr int grain = 256;        // vertices a thread takes at least
-
-double mean(double a, double b) { return 0.5 * (a + b); }
-
-template <class Real>
-Vec<double> three(const Real* p) {
-    return {double(p[0]), double(p[1]), double(p[2])};
-}
-
-template <class Real>
-void put(Real* p, const Vec<double>& v) {
-    p[0] = static_cast<Real>(v.x);
-    p[1] = static_cast<Real>(v.y);
-    p[2] = static_cast<Real>(v.z);
-}
+constexpr int grain = 256;  // vertices a thread takes at least
 
 // w I - q q^T, how a vertex answers an impulse.
 struct Answer {
@@ -37,6 +23,10 @@ struct Answer {
     Vec<double> of(const Vec<double>& impulse) const { return w * impulse - dot(q, impulse) * q; }
     double along(const Vec<double>& n) const { return dot(n, of(n)); }
 };
+
+Friction frictionOf(const Surface& s, const Collider& c) {
+    return {c.staticFriction, s.staticFriction, c.dynamicFriction, s.dynamicFriction};
+}
 
 }  // namespace
 
@@ -177,17 +167,14 @@ bool ColliderSet<Real>::part(const Sweep<Real>& sweep, int m, std::size_t b) {
     const bool pushed = push > row.push;
     row.push = push;
 
-    const Surface& s = surfaces_[member.surface];
-    const Collider& c = body.collider;
-    const Friction friction(c.staticFriction, s.staticFriction, c.dynamicFriction,
-                            s.dynamicFriction);
     Vec<double> slip = end + moved - start;
     slip -= dot(slip, plane.normal) * plane.normal;
     const double slipped = length(slip);
+    const Friction friction = frictionOf(surfaces_[member.surface], body.collider);
     if (friction && slipped > 0) {
-        const Vec<double> grip =
-            friction.grip(row.grip, slip, answer.along((1 / slipped) * slip), plane.normal,
-                          std::max(push, 0.0) + (sticks ? held : 0));
+        const double answers = answer.along((1 / slipped) * slip);
+        const double pressed = std::max(push, 0.0) + (sticks ? held : 0);
+        const Vec<double> grip = friction.grip(row.grip, slip, answers, plane.normal, pressed);
         moved += answer.of(grip - row.grip);
         row.grip = grip;
     }
@@ -216,82 +203,6 @@ long ColliderSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
         pushed += count;
     });
     return pushed;
-}
-
-// Bends the path at the first impact that it meets. The speed of an impact is that of its time, as
-// in impacts.cpp.
-template <class Real>
-bool ColliderSet<Real>::strike(const Member& member, Path& path) const {
-    const Surface& s = surfaces_[member.surface];
-    const double least = std::max(options_.bounceThreshold, 2 * gravity * h_) * h_;
-    const Body* first = nullptr;
-    double time = 2;
-    for (const Body& body : bodies_) {
-        if (mean(body.collider.restitution, s.restitution) <= 0) continue;
-        const Vec<double> start = body.before.own(path.start), end = body.now.own(path.end);
-        const Vec<double> way = end - start, from = start + path.from * way;
-        const auto met = reaches(body.collider.solid, from, end, member.thickness);
-        if (!met) continue;
-        const double t = path.from + *met * (1 - path.from);
-        const Vec<double> out = sideOf(body.collider.solid, start + t * way).normal;
-        if (t >= time || !(dot(out, way) < -least)) continue;
-        time = t;
-        first = &body;
-    }
-    if (!first) return false;
-    const Collider& c = first->collider;
-    const Vec<double> start = first->before.own(path.start), end = first->now.own(path.end);
-    const Vec<double> way = end - start, at = start + time * way;
-    const Vec<double> normal = sideOf(c.solid, at).normal;
-    const double approach = dot(way, normal), gain = dot(first->now.ownWay(path.gain), normal);
-    const double speed = std::min(approach + (time - 0.5) * gain, 0.0);
-    const double push = -(1 + mean(c.restitution, s.restitution)) * speed;
-    const double sliding = std::clamp(mean(c.dynamicFriction, s.dynamicFriction), 0.0, 1.0);
-    const Vec<double> along = way - approach * normal;
-    const double grip = std::min(length(along), sliding * push);
-    const Vec<double> goes = way + push * normal - divide(grip, length(along)) * along;
-    path = {first->before.world(at - time * goes), first->now.world(at + (1 - time) * goes),
-            path.gain, time, true};
-    return true;
-}
-
-template <class Real>
-void ColliderSet<Real>::strike(const Sweep<Real>& sweep, const State<Real>& state,
-                               Workers& workers) {
-    if (!bouncy_) return;
-    prepare(sweep, workers);
-    constexpr int limit = 8;
-    workers.forBlocks(static_cast<int>(members_.size()), grain, [&](int begin, int end) {
-        for (int m = begin; m < end; ++m) {
-            const int v = members_[m].vertex;
-            Real* const p = sweep.particles + 8 * v;
-            const Vec<double> base = three(p), before = three(sweep.before + 4 * v);
-            Path path{.start = base + before, .end = base + three(p + 4)};
-            const Vec<Real>&was = state.before[v].v, &earlier = state.last[v].v;
-            if (state.hasPast)
-                path.gain = path.end - path.start - (three(&was.x) - three(&earlier.x));
-            int bounces = 0;
-            while (bounces < limit && strike(members_[m], path)) ++bounces;
-            if (bounces == 0) continue;
-            bent_[m] = 1;
-            kick_[m] = (1 / h_) * (base + before - path.start);
-            put(p + 4, path.end - base);
-        }
-    });
-}
-
-// The first-order velocity and a past that continues it, so that BDF2 extrapolates no bounce.
-template <class Real>
-void ColliderSet<Real>::rebound(State<Real>& state) const {
-    for (std::size_t m = 0; m < members_.size(); ++m) {
-        if (!bent_[m]) continue;
-        const int v = members_[m].vertex;
-        const Vec<Real> d = state.particles[v].d;
-        Vec<Real> velocity{};
-        put(&velocity.x, (1 / h_) * (three(&d.x) - three(&state.last[v].v.x)) + kick_[m]);
-        state.velocity[v].v = state.lastVelocity[v].v = velocity;
-        state.last[v].v = d - static_cast<Real>(h_) * velocity;
-    }
 }
 
 template <class Real>
