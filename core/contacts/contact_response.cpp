@@ -1,5 +1,6 @@
 // One contact: where two touch, and the impulses across and along that part them.
 #include "contact_set.h"
+#include "friction.h"
 
 #include <algorithm>
 
@@ -181,23 +182,18 @@ void ContactSet<Real>::part(const Sweep<Real>& sweep, Contact& contact) const {
     answers.move((push - contact.push) * at.normal);
     contact.push = push;
 
-    const double standing = std::min(1.0, mean(a.staticFriction, b.staticFriction));
-    const double sliding = std::min(1.0, mean(a.dynamicFriction, b.dynamicFriction));
-    if (standing == 0 && sliding == 0) return;
+    const Friction friction(a.staticFriction, b.staticFriction, a.dynamicFriction,
+                            b.dynamicFriction);
+    if (!friction) return;
     const PairPoints now = endOf(sweep, contact.pair);
     Vec<double> slip{};
     for (std::size_t i = 0; i < 4; ++i) slip += at.weight[i] * (now[i] - start[i]);
     slip -= dot(slip, at.normal) * at.normal;
     const double way = length(slip);
     if (way == 0) return;
-    const double pressed = std::max(push, 0.0) - least;
-    Vec<double> grip = contact.grip - divide(1.0, answers.along((1 / way) * slip)) * slip;
-    grip -= dot(grip, at.normal) * at.normal;
-    const double force = length(grip);
-    if (sliding < 0)
-        grip = (-sliding * pressed / way) * slip;
-    else if (force > standing * pressed)
-        grip = divide(sliding * pressed, force) * grip;
+    const double answer = answers.along((1 / way) * slip);
+    const Vec<double> grip =
+        friction.grip(contact.grip, slip, answer, at.normal, std::max(push, 0.0) - least);
     answers.move(grip - contact.grip);
     contact.grip = grip;
 }

@@ -223,8 +223,7 @@ void PairSearch::sweep(std::span<const Vec<double>> start, std::span<const Vec<d
     workers.forBlocks(static_cast<int>(members_.size()), 256, [&](int first, int last) {
         for (int i = first; i < last; ++i) {
             const int v = members_[i];
-            const Travel travel{start, end, 1.001 * (reachOf(v) + 0.5 * slack + used_),
-                                start[0]};
+            const Travel travel{start, end, 1.001 * (reachOf(v) + 0.5 * slack + used_), start[0]};
             const double reach = travel.radius + length(end[v] - start[v]);
             swept_[v] = {sweptBounds<18>(std::span(&v, 1), travel),
                          static_cast<float>((1 + 1e-6) * reach + 1e-12)};
