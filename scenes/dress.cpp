@@ -5,7 +5,6 @@
 #include "elementary.h"
 #include "forces/air.h"
 #include "forces/gravity.h"
-#include "measure/penetration.h"
 #include "measures.h"
 #include "mesh_sequence.h"
 #include "seam.h"
@@ -239,22 +238,6 @@ View viewOf(const Wearer& wearer, const std::array<Range, 3>& objects,
     return view;
 }
 
-// Vertices of the skirt that are in her.
-Metric insideOf(const Wearer& wearer, Range skirt, Range body) {
-    return {.name = "inside",
-            .unit = "",
-            .measure =
-                [=, triangles = wearer.surface.triangles](const Snapshot& at) {
-                    const std::span all(at.positions);
-                    return static_cast<double>(findInside(all.subspan(skirt.first, skirt.size()),
-                                                          all.subspan(body.first, body.size()),
-                                                          triangles)
-                                                   .size());
-                },
-            .low = 0,
-            .high = 0};
-}
-
 }  // namespace
 
 Scene dress(const Knobs& knobs) {
@@ -297,7 +280,7 @@ Scene dress(const Knobs& knobs) {
     scene.lead = lead;
     scene.seconds = wearer.seconds;
     scene.metrics = {greatestStrain(world, links, {0, 2}), commonStrain(world, tautLinks, {0, 1}),
-                     selfIntersections(world, skirt, {0, 0}), insideOf(wearer, skirt, body)};
+                     selfIntersections(world, skirt, {0, 0}), insideOf(world, skirt, body, {0, 0})};
     if (scene.metrics.back().measure({world.start, world.velocity, 0, 0}) > 0)
         throw std::invalid_argument("body: it must stand in its first mesh, clear of the skirt");
     scene.view = viewOf(wearer, {outside, inside, body}, {silk, tulle});
