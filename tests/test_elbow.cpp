@@ -75,7 +75,7 @@ TEST_CASE("elbow: its crook has room for a fold, up to 148 degrees", "[elbow]") 
     constexpr double fold = 3 * 0.001;  // m: half of skin, two layers, skin
     CHECK(room(145) > fold);
     CHECK(report("radius at 148 degrees, of three thicknesses", std::fabs(room(148) / fold - 1),
-                 0.05));
+                 0.05));  // half a degree
     CHECK(room(158) < 0.2 * fold);
 }
 
