@@ -103,14 +103,15 @@ std::vector<Vec<double>> hung(const Layer& layer, const Frame& waist, const Seam
 
 // Threads down and rings around, but for the one that is sewn on. Returns them, two vertices a
 // link.
-std::vector<int> weave(World& world, Range cloth, const Layer& layer, const std::string& name) {
+std::vector<int> weave(World& world, Range cloth, const Layer& layer, const std::string& name,
+                       double mending) {
     const auto threadOf = [n = layer.threads, gathered = layer.gathered](int a, int b) {
         if (a / n != b / n) return a % n == b % n ? Thread::warp : Thread::bias;
         return a < n ? Thread::none : a / n <= gathered ? Thread::gather : Thread::weft;
     };
     world.constrain(bendRows(world.complex, cloth, world.rest, layer.rigidity),
                     {.name = name + "bend", .order = 3});
-    return plait::weave(world, cloth, threadOf, layer.shearStiffness, name, 0.01);
+    return plait::weave(world, cloth, threadOf, layer.shearStiffness, name, mending);
 }
 
 // Of these links those that do not gather.
@@ -257,7 +258,8 @@ Scene dress(const Knobs& knobs) {
     std::vector<int> links, tautLinks;
     for (const auto& [cloth, layer, name] :
          {std::tuple{outside, silk, "silk "}, {inside, tulle, "tulle "}}) {
-        const std::vector<int> woven = weave(world, cloth, layer, name);
+        const std::vector<int> woven =
+            weave(world, cloth, layer, name, knobs.number("mending") / 100);
         const std::vector<int> straight = taut(woven, cloth, layer);
         links.insert(links.end(), woven.begin(), woven.end());
         tautLinks.insert(tautLinks.end(), straight.begin(), straight.end());
