@@ -2,6 +2,7 @@
 #include "bench/broadphase.h"
 #include "bench/ccd.h"
 #include "bench/core.h"
+#include "bench/detection.h"
 #include "bench/scene.h"
 #include "bench/sheet.h"
 #include "commands.h"
@@ -14,7 +15,7 @@ namespace {
 
 int bench(const Arguments& arguments) {
     const std::string what = arguments.operands.empty() ? "core" : arguments.operands[0];
-    std::vector<std::string> names{"core", "air", "ccd", "broadphase", "sheet"};
+    std::vector<std::string> names{"core", "air", "ccd", "broadphase", "detection", "sheet"};
     for (const SceneEntry& entry : scenes()) names.push_back(entry.name);
     switch (parseChoice("bench", what, names)) {
         case 0:
@@ -26,6 +27,8 @@ int bench(const Arguments& arguments) {
         case 3:
             return benchBroadPhase();
         case 4:
+            return benchDetection();
+        case 5:
             return benchSheet(requestedThreads(arguments));
         default:
             return benchScene(what, requestedThreads(arguments));
@@ -36,10 +39,11 @@ int bench(const Arguments& arguments) {
 
 Command benchCommand() {
     return {.name = "bench",
-            .operands = {"[core|air|ccd|broadphase|sheet|SCENE]"},
+            .operands = {"[core|air|ccd|broadphase|detection|sheet|SCENE]"},
             .meaning =
                 "prints speeds: of a constraint, of the air, of collision queries, of the broad "
-                "phase, of sheets that do not stretch, or of a scene from numbers to film",
+                "phase, of looking for contacts, of sheets that do not stretch, or of a scene from "
+                "numbers to film",
             .options = {threadsOption()},
             .examples = {"bench core", "bench hanging-sheet"},
             .run = bench};

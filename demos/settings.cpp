@@ -101,6 +101,8 @@ const std::vector<Setting>& table() {
               [](auto& run) -> auto& { return run.scene.options.schedule.substeps; }),
         count("iterations", 0, "in a substep, of every set but contacts; 0: by importance",
               [](auto& run) -> auto& { return run.scene.options.schedule.iterations; }),
+        count("passes", 0, "in a substep, of contacts; 0: by importance",
+              [](auto& run) -> auto& { return run.scene.options.schedule.collisionPasses; }),
         {{"chebyshev", "RHO", "mixes iterations, for rates up to this, below 1; 0: off"},
          [](const Run& run) { return text(run.scene.options.chebyshev); },
          [](Run& run, const std::string& word) {

@@ -26,7 +26,8 @@ Scene sheetOnSphere(const Knobs& knobs) {
         world.add(sphere({.subdivisions = 4, .radius = radius}, {.origin = {0, -radius, 0}}));
     world.pin(pointStencils(ball));
     world.act<Gravity>(GravityOptions{});
-    const std::vector<int> threads = weave(world, cloth, gridThreads(n), 15, "", 0.01);
+    const std::vector<int> threads =
+        weave(world, cloth, gridThreads(n), 15, "", knobs.number("mending") / 100);
     world.constrain(bendRows(world.complex, cloth, world.rest, 1e-6), {.name = "bend", .order = 3});
     Surface body = roughSurface(ball, thickness, friction);
     body.self = Self::none;

@@ -5,7 +5,6 @@
 #include "elementary.h"
 #include "forces/air.h"
 #include "forces/gravity.h"
-#include "measure/penetration.h"
 #include "measures.h"
 #include "mesh_sequence.h"
 #include "seam.h"
@@ -104,14 +103,15 @@ std::vector<Vec<double>> hung(const Layer& layer, const Frame& waist, const Seam
 
 // Threads down and rings around, but for the one that is sewn on. Returns them, two vertices a
 // link.
-std::vector<int> weave(World& world, Range cloth, const Layer& layer, const std::string& name) {
+std::vector<int> weave(World& world, Range cloth, const Layer& layer, const std::string& name,
+                       double mending) {
     const auto threadOf = [n = layer.threads, gathered = layer.gathered](int a, int b) {
         if (a / n != b / n) return a % n == b % n ? Thread::warp : Thread::bias;
         return a < n ? Thread::none : a / n <= gathered ? Thread::gather : Thread::weft;
     };
     world.constrain(bendRows(world.complex, cloth, world.rest, layer.rigidity),
                     {.name = name + "bend", .order = 3, .secondaryInterval = 8});
-    return plait::weave(world, cloth, threadOf, layer.shearStiffness, name, 0.01);
+    return plait::weave(world, cloth, threadOf, layer.shearStiffness, name, mending);
 }
 
 // Of these links those that do not gather.
@@ -239,22 +239,6 @@ View viewOf(const Wearer& wearer, const std::array<Range, 3>& objects,
     return view;
 }
 
-// Vertices of the skirt that are in her.
-Metric insideOf(const Wearer& wearer, Range skirt, Range body) {
-    return {.name = "inside",
-            .unit = "",
-            .measure =
-                [=, triangles = wearer.surface.triangles](const Snapshot& at) {
-                    const std::span all(at.positions);
-                    return static_cast<double>(findInside(all.subspan(skirt.first, skirt.size()),
-                                                          all.subspan(body.first, body.size()),
-                                                          triangles)
-                                                   .size());
-                },
-            .low = 0,
-            .high = 0};
-}
-
 }  // namespace
 
 Scene dress(const Knobs& knobs) {
@@ -274,7 +258,8 @@ Scene dress(const Knobs& knobs) {
     std::vector<int> links, tautLinks;
     for (const auto& [cloth, layer, name] :
          {std::tuple{outside, silk, "silk "}, {inside, tulle, "tulle "}}) {
-        const std::vector<int> woven = weave(world, cloth, layer, name);
+        const std::vector<int> woven =
+            weave(world, cloth, layer, name, knobs.number("mending") / 100);
         const std::vector<int> straight = taut(woven, cloth, layer);
         links.insert(links.end(), woven.begin(), woven.end());
         tautLinks.insert(tautLinks.end(), straight.begin(), straight.end());
@@ -298,7 +283,7 @@ Scene dress(const Knobs& knobs) {
     scene.lead = lead;
     scene.seconds = wearer.seconds;
     scene.metrics = {greatestStrain(world, links, {0, 2}), commonStrain(world, tautLinks, {0, 1}),
-                     selfIntersections(world, skirt, {0, 0}), insideOf(wearer, skirt, body)};
+                     selfIntersections(world, skirt, {0, 0}), insideOf(world, skirt, body, {0, 0})};
     if (scene.metrics.back().measure({world.start, world.velocity, 0, 0}) > 0)
         throw std::invalid_argument("body: it must stand in its first mesh, clear of the skirt");
     scene.view = viewOf(wearer, {outside, inside, body}, {silk, tulle});

@@ -4,6 +4,7 @@
 #include "measure/gap.h"
 #include "measure/geometry.h"
 #include "measure/intersections.h"
+#include "measure/penetration.h"
 #include "measure/strain.h"
 #include "stencils.h"
 
@@ -66,6 +67,19 @@ Metric selfIntersections(const World& world, Range range, Band band) {
             triangles.push_back(triangle);
     return metricOf("crossings", "", band, [=](const Snapshot& at) {
         return static_cast<double>(countIntersections(at.positions, edges, triangles));
+    });
+}
+
+Metric insideOf(const World& world, Range range, Range body, Band band) {
+    std::vector<std::array<int, 3>> triangles;
+    for (int i = 0; i < world.complex.count(2); ++i)
+        if (const auto [a, b, c] = world.complex.triangle(i); a >= body.first && a < body.last)
+            triangles.push_back({a - body.first, b - body.first, c - body.first});
+    return metricOf("inside", "", band, [=](const Snapshot& at) {
+        const std::span all(at.positions);
+        return static_cast<double>(findInside(all.subspan(range.first, range.size()),
+                                              all.subspan(body.first, body.size()), triangles)
+                                       .size());
     });
 }
 

@@ -303,3 +303,30 @@ TEST_CASE("study, from outside", "[study][program]") {
     CHECK(contains(contents(std::filesystem::path(out) / "index.html"),
                    "build/plait study unit-spring --out " + out + " --collect"));
 }
+
+// A flat sheet half a millimetre above the ball's top touches it with the four vertices that are
+// next to its middle, of 32 x 32: the others of them are 2 mm further from it and more.
+TEST_CASE("study: how cloth lies beside how it lies in the reference", "[study]") {
+    const Study& study = studyNamed("sphere");
+    const Run run = studyRun(study, {});
+    const World& world = run.scene.world;
+    const auto lowered = [&](double height) {
+        std::vector<Vec<double>> x = world.start;
+        for (std::size_t v = 0; v < x.size(); ++v)
+            if (!world.pinned[v]) x[v].y = height;
+        return x;
+    };
+    Reference reference;
+    reference.trajectory = {lowered(0.1)};
+    Recording recording;
+    recording.positions = {lowered(0.0005)};
+    recording.metrics = {{1.5, 0, 0}, {0.5, 0, 0}};
+    const auto errors = study.measure(study, run, recording, reference);
+    REQUIRE(errors.size() == 3);
+    CHECK(report("greatest strain", std::fabs(errors[0] - 0.015), 1e-12));
+    CHECK(report("height", std::fabs(errors[1] - 0.0995), 1e-12));
+    CHECK(report("part that lies", std::fabs(errors[2] - 4.0 / 1024), 1e-12));
+    REQUIRE(run.scene.metrics[2].name == "crossings");
+    recording.metrics[0][2] = 1;
+    CHECK(std::isinf(study.measure(study, run, recording, reference)[0]));
+}

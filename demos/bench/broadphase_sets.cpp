@@ -47,28 +47,46 @@ void scatter(BroadPhaseSet& set, int count, bool clustered) {
     }
 }
 
-// Four sheets, half a cell apart, in folds four cells high.
-void pile(BroadPhaseSet& set, int count) {
+// Four sheets of so many vertices a side, half a cell apart, in folds four cells high.
+FoldedSheets folded(int side) {
     constexpr int layers = 4;
-    const int side = static_cast<int>(std::sqrt(count / (3.0 * layers)));
-    const double width = side * cell, wave = 2 * cell;
+    constexpr double wave = 2 * cell;
+    const double width = side * cell;
     Random random;
+    Simplices cells;
+    FoldedSheets sheets{.radius = cell / 20, .margin = cell / 4};
     for (int layer = 0; layer < layers; ++layer) {
         const Shape sheet = grid({.columns = side, .rows = side, .width = width, .height = width});
-        const int first = static_cast<int>(set.start.size());
+        const int first = static_cast<int>(sheets.start.size());
         for (const Vec<double>& p : sheet.positions) {
             const double u = p.x / cell, v = p.y / cell;
             const double z =
                 layer * cell / 2 + wave * (std::sin(0.7 * u) + std::cos(0.4 * v + 0.3 * u));
-            set.start.push_back(p + Vec<double>{0, 0, z} + random.point(cell / 20));
-            set.end.push_back(set.start.back() + random.point(motion));
+            sheets.start.push_back(p + Vec<double>{0, 0, z} + random.point(cell / 20));
+            sheets.end.push_back(sheets.start.back() + random.point(motion));
         }
-        for (int e = 0; e < sheet.complex.count(1); ++e)
-            for (const int v : sheet.complex.vertices(1, e)) set.vertices.push_back(first + v);
+        for (int t = 0; t < sheet.complex.count(2); ++t) {
+            const auto [a, b, c] = sheet.complex.triangle(t);
+            cells.triangles.push_back({first + a, first + b, first + c});
+        }
     }
+    sheets.complex = SimplicialComplex(static_cast<int>(sheets.start.size()), cells);
+    return sheets;
+}
+
+void pile(BroadPhaseSet& set, int count) {
+    const FoldedSheets sheets = folded(static_cast<int>(std::sqrt(count / 12.0)));
+    set.start = sheets.start;
+    set.end = sheets.end;
+    for (int e = 0; e < sheets.complex.count(1); ++e)
+        for (const int v : sheets.complex.vertices(1, e)) set.vertices.push_back(v);
 }
 
 }  // namespace
+
+FoldedSheets foldedSheets(int triangles) {
+    return folded(static_cast<int>(std::lround(std::sqrt(triangles / 8.0))) + 1);
+}
 
 BroadPhaseSet broadPhaseSet(int which, int count) {
     BroadPhaseSet sets[broadPhaseSets]{

@@ -2,11 +2,20 @@
 #pragma once
 
 #include "collision/kdop.h"
+#include "complex.h"
 
 #include <string>
 #include <vector>
 
 namespace plait {
+
+// Four crumpled sheets that lie on each other, with about `triangles`.
+struct FoldedSheets {
+    SimplicialComplex complex{};
+    std::vector<Vec<double>> start{}, end{};  // m
+    double radius, margin;                    // m: half the thickness; a quarter of an edge
+};
+FoldedSheets foldedSheets(int triangles);
 
 // Edges, or points where the arity is 1.
 struct BroadPhaseSet {

@@ -31,8 +31,8 @@ std::string format(const char* pattern, const std::string& a, double b, double c
 
 const std::vector<StabilityMap>& stabilityMaps() {
     static const std::vector<StabilityMap> all{
-        stepStiffnessMap(), massRatioMap(), stiffnessRatioMap(), chainLengthMap(),
-        resolutionMap(),    rotationMap(),  bdf2SweepsMap()};
+        stepStiffnessMap(), massRatioMap(),  stiffnessRatioMap(), chainLengthMap(), resolutionMap(),
+        rotationMap(),      bdf2SweepsMap(), bulletMap(),         layersMap()};
     return all;
 }
 

@@ -52,6 +52,8 @@ StabilityMap chainLengthMap();
 StabilityMap resolutionMap();
 StabilityMap rotationMap();
 StabilityMap bdf2SweepsMap();
+StabilityMap bulletMap();
+StabilityMap layersMap();
 
 // `count` values from one end to the other, evenly in ratio; whole ones rounded, each once.
 std::vector<double> valuesOf(const StabilityAxis& axis, int count);

@@ -36,5 +36,7 @@ Study sheetStudy(int n);   // n x n vertices against a reference
 Study sheetStrain(int n);  // the work of peers
 Study sheetStep(int n);    // against the converged solution of one step
 Study flagStudy();
+Study sphereStudy();
+Study dressStudy();
 
 }  // namespace plait
