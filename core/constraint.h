@@ -58,6 +58,9 @@ public:
     // Marks the vertices that a one-sided constraint pushed in this substep.
     virtual void markTouched(std::vector<std::uint8_t>& /*touched*/) const {}
 
+    // What contacts could not hold since the solver was made, pair by pair and vertex by vertex.
+    virtual long failures() const { return 0; }
+
     // The set at the positions of `state`, with second derivatives where `curved`: what methods
     // other than sweeps are made of. Of the rows of the last begin(). False: it has no such form.
     bool terms(const State<Real>& state, bool curved, Terms<Real>& out) const {

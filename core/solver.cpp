@@ -165,7 +165,7 @@ template <class Real>
 void Solver<Real>::frame() {
     const FlushDenormals flush;
     checkpoint_ = state_;
-    const long evaluations = evaluations_;
+    const long evaluations = evaluations_, failures = failuresSoFar();
     const auto putBack = [&] {
         state_ = checkpoint_;
         evaluations_ = evaluations;
@@ -174,6 +174,7 @@ void Solver<Real>::frame() {
     try {
         try {
             advance();
+            failures_ = failuresSoFar() - failures;
             if (finite()) return;  // what is not a number stays none
         } catch (const std::invalid_argument&) {
             if (finite()) throw;  // contacts refuse what is not a number
@@ -213,6 +214,13 @@ void Solver<Real>::beginBaseStep(double t0, double t1) {
             pins.animation(t, *positions);
         }
     for (const auto& set : sets_) set->beginFrame(t0, t1);
+}
+
+template <class Real>
+long Solver<Real>::failuresSoFar() const {
+    long sum = 0;
+    for (const int s : contacts_) sum += sets_[s]->failures();
+    return sum;
 }
 
 template <class Real>

@@ -51,6 +51,7 @@ public:
     double time() const { return static_cast<double>(state_.substep) * h_; }  // s
     double substepLength() const { return h_; }                               // s
     long evaluations() const { return evaluations_; }  // constraints swept: the counted work
+    long failures() const { return failures_; }        // of contacts in the last frame
     const State<Real>& state() const { return state_; }
     const Constraint<Real>& set(int i) const { return *sets_[static_cast<std::size_t>(i)]; }
     const Schedule& schedule() const { return schedule_; }
@@ -78,6 +79,7 @@ private:
     void update(bool second);
     void dampRates();
     Sweep<Real> sweepOf(int set);
+    long failuresSoFar() const;
     bool finite() const;
     void blame(const std::string& culprit) const;
 
@@ -106,7 +108,7 @@ private:
     int column_ = 0;
     double h_;        // s, substep
     double implied_;  // s, the step that forces and compliance see: h, or 2 h / 3 under BDF2
-    long evaluations_ = 0;
+    long evaluations_ = 0, failures_ = 0;
     bool blaming_ = false;  // the frame runs again to find out which set broke it
 };
 

@@ -38,7 +38,8 @@ public:
                        .positions = solver_.positions(),
                        .velocities = solver_.velocities(),
                        .touched = touched()};
-        const Snapshot snapshot{frame.positions, frame.velocities, frame.time, frame.number};
+        const Snapshot snapshot{frame.positions, frame.velocities, frame.time, frame.number,
+                                solver_.failures()};
         for (const Metric& metric : run_.scene.metrics)
             frame.metrics.push_back(metric.measure(snapshot));
         for (auto* vectors : {&frame.positions, &frame.velocities})

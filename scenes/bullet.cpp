@@ -79,7 +79,7 @@ Scene bullet(const Knobs& knobs) {
     scene.seconds = 1;
     scene.metrics = {clearance(ball.first, triangleStencils(world.complex, sheet),
                                path ? 0.9 * radius : -infinity),
-                     greatestStrain(world, sheet, {0, 10})};
+                     greatestStrain(world, sheet, {0, 10}), contactFailures()};
     View& view = scene.view;
     view = viewOf({sheet, ball}, {0.5 * side, -0.55 * side, 0}, 1.4, Material::cotton,
                   {1.6, 0.35, 1.6});

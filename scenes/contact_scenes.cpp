@@ -37,7 +37,7 @@ Scene sheetOnSphere(const Knobs& knobs) {
     scene.options.damping = 0.05;
     scene.seconds = 4;
     scene.metrics = {greatestStrain(world, threads, {0, 2}), commonStrain(world, threads, {0, 4}),
-                     selfIntersections(world, {cloth.first, ball.last}, {0, 0})};
+                     selfIntersections(world, {cloth.first, ball.last}, {0, 0}), contactFailures()};
     View& view = scene.view;
     view = viewOf({cloth, ball}, {0, -0.24, 0}, 0.88, Material::cotton, {1.0, 0.75, 2.2});
     view.looks[1].material = Material::matte;

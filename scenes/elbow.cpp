@@ -228,7 +228,7 @@ Scene elbow(const Knobs& knobs) {
     world.constrain(bendRows(world.complex, sleeve, world.rest, 1e-5),
                     {.name = "bend", .order = 3});
     Surface skin = roughSurface(arm, thickness, friction);
-    skin.self = false;
+    skin.self = Self::none;
     meet(world, {roughSurface(sleeve, thickness, friction), skin}, {.order = 4});
     const int substeps = knobs.byQuality(24, 32, 48);
     scene.options.schedule = {.substeps = substeps, .iterations = 4, .collisionPasses = 8};
@@ -239,7 +239,8 @@ Scene elbow(const Knobs& knobs) {
     scene.metrics = {greatestStrain(world, links, {0, 2}),
                      selfIntersections(world, {sleeve.first, arm.last}, {0, 0}),
                      insideOf(world, sleeve, arm, {0, 0}),
-                     pinched(world, sleeve, (cuff - sewn) / (rings - 1), {0, 0, opened})};
+                     pinched(world, sleeve, (cuff - sewn) / (rings - 1), {0, 0, opened}),
+                     contactFailures()};
     View& view = scene.view;
     view = viewOf({sleeve, arm}, {-0.01, 0.07, 0}, 0.5, Material::cotton, {-0.75, 0.7, 2.0});
     view.looks[1].material = Material::matte;

@@ -210,7 +210,7 @@ Scene flag(const Knobs& knobs) {
         greatestStrain(world, threads, {0, own ? knobs.byQuality(2.0, 2.0, 12.0) : unbound}),
         commonStrain(world, threads, {0, own ? 1 : unbound}),
         selfIntersections(world, cloth, {0, meets ? 0 : unbound}),
-        sway("tip", tipOf(world.rest), {-unbound, unbound})};
+        sway("tip", tipOf(world.rest), {-unbound, unbound}), contactFailures()};
     scene.view = viewOf(cloth, world.rest);
     return scene;
 }

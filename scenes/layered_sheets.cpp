@@ -79,7 +79,8 @@ Scene layeredSheets(const Knobs& knobs) {
     scene.metrics = {greatestStrain(world, threads, {0, 2}), commonStrain(world, threads, {0, 2}),
                      selfIntersections(world, {sheets.front().first, ball.last}, {0, 0}),
                      leastGap(world, {sheets.front().first, sheets.back().last}, 2000 * thickness,
-                              {1250 * thickness, infinity})};
+                              {1250 * thickness, infinity}),
+                     contactFailures()};
     scene.view = viewOfLayers(sheets, ball);
     return scene;
 }

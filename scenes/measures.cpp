@@ -70,6 +70,11 @@ Metric selfIntersections(const World& world, Range range, Band band) {
     });
 }
 
+Metric contactFailures() {
+    return metricOf("failures", "", {0, 0},
+                    [](const Snapshot& at) { return static_cast<double>(at.failures); });
+}
+
 Metric insideOf(const World& world, Range range, Range body, Band band) {
     std::vector<std::array<int, 3>> triangles;
     for (int i = 0; i < world.complex.count(2); ++i)

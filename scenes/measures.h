@@ -25,6 +25,9 @@ Metric commonStrain(const World& world, Range range, Band band);
 // Pairs of an edge, of a sheet or a curve, and a triangle of `range` that go through each other.
 Metric selfIntersections(const World& world, Range range, Band band);
 
+// What contacts could not hold since the frame before: 0, a scene's whole budget for failures.
+Metric contactFailures();
+
 // Vertices of `range` that are in a body, all of whose triangles together are closed.
 Metric insideOf(const World& world, Range range, Range body, Band band);
 

@@ -124,7 +124,7 @@ Scene medley(const Knobs& knobs) {
     scene.seconds = 3;
     scene.metrics = {greatestStrain(world, links, {-2, 2}),
                      selfIntersections(world, {cloth.first, beads.last}, {0, 0}),
-                     fallen(beads, cloth)};
+                     fallen(beads, cloth), contactFailures()};
     scene.view = viewOf(cloth, ropes, beads);
     return scene;
 }

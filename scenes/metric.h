@@ -17,6 +17,7 @@ struct Snapshot {
     const std::vector<Vec<double>>& velocities;  // m/s
     double time;                                 // s
     int frame;                                   // 0 is the start
+    long failures = 0;                           // of contacts since the frame before
 };
 
 struct Metric {

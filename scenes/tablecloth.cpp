@@ -207,7 +207,7 @@ Scene tablecloth(const Knobs& knobs) {
     scene.seconds = (pullStart + run / speed + hurry + 0.1) / scene.options.timeScale;
     scene.metrics = {greatestStrain(world, threads, {0, 2}),
                      selfIntersections(world, {cloth.first, tins.back().last}, {0, 0}),
-                     tinsMoved(world, tins)};
+                     tinsMoved(world, tins), contactFailures()};
     scene.view = viewOf(cloth, bar, tins);
     return scene;
 }

@@ -102,6 +102,7 @@ Scene trampoline(const Knobs& knobs) {
         selfIntersections(world, {sheet.first, balls.back().last}, {0, 0}),
         height("heavy", balls[1].first, {-bed, infinity}),
         height("light", balls[0].first, {-bed, infinity}),
+        contactFailures(),
     };
     scene.view = viewOf(sheet, ring, balls);
     return scene;

@@ -31,7 +31,7 @@ Points holdToBands(const Scene& scene, int frames) {
         const Points x = solver.positions(), v = solver.velocities();
         for (std::size_t i = 0; i < most.size(); ++i) {
             const Metric& metric = scene.metrics[i];
-            const double value = metric.measure({x, v, solver.time(), frame});
+            const double value = metric.measure({x, v, solver.time(), frame, solver.failures()});
             most[i] = std::max(most[i], value);
             if (solver.time() < metric.from) continue;
             INFO(metric.name << " in frame " << frame);

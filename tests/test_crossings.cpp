@@ -153,8 +153,8 @@ TEST_CASE("crossings: a twisted strip", "[contacts][crossings]") {
     CHECK(twist(25, 7, 2, 0.5, meeting(16)) == 0);
 }
 
-// [D9] It does not hold, and takes 14 min to say so (README.md).
-TEST_CASE("crossings: a strip twisted ten turns", "[.twist]") {
+// [D9]
+TEST_CASE("crossings: a strip twisted ten turns", "[contacts][crossings][long]") {
     CHECK(twist(41, 11, 10, 0.85, meeting(24)) == 0);
 }
 

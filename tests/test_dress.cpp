@@ -26,7 +26,7 @@ std::vector<double> worst(const Scene& scene, int skip, int frames) {
         solver.frame();
         if (frame <= skip) continue;
         const auto x = solver.positions(), v = solver.velocities();
-        const Snapshot at{x, v, solver.time() - scene.lead, frame - skip};
+        const Snapshot at{x, v, solver.time() - scene.lead, frame - skip, solver.failures()};
         for (std::size_t i = 0; i < most.size(); ++i)
             most[i] = std::max(most[i], scene.metrics[i].measure(at));
     }

@@ -32,7 +32,8 @@ std::vector<std::vector<double>> filmed(const Scene& scene, int frames) {
         const auto x = solver.positions(), v = solver.velocities();
         rows.emplace_back();
         for (const Metric& metric : scene.metrics)
-            rows.back().push_back(metric.measure({x, v, solver.time() - scene.lead, frame - lead}));
+            rows.back().push_back(metric.measure(
+                {x, v, solver.time() - scene.lead, frame - lead, solver.failures()}));
     }
     return rows;
 }

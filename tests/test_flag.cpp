@@ -37,7 +37,7 @@ Snapshot snapshotOf(const Solver<float>& solver, std::vector<Vec<double>>& x,
                     std::vector<Vec<double>>& v, int frame) {
     x = solver.positions();
     v = solver.velocities();
-    return {x, v, solver.time(), frame};
+    return {x, v, solver.time(), frame, solver.failures()};
 }
 
 // The greatest value of each metric with a band over `seconds`, as a part of its upper end.

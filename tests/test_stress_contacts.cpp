@@ -236,7 +236,7 @@ Aftermath outlive(const Jump& jump) {
     std::vector<Surface> surfaces{skin};
     if (jump.mesh) {
         const Range range = addJumping(world, jump);
-        surfaces.push_back({.vertices = range, .self = false});
+        surfaces.push_back({.vertices = range, .self = Self::none});
         for (const auto& t : trianglesOf(world))
             if (t[0] >= range.first) body.push_back(t);
     } else {
@@ -330,7 +330,7 @@ Tangle fall(const Layers& p) {
     world.act<Gravity>(GravityOptions{});
     meet(world,
          {{.vertices = sheets, .thickness = thickness},
-          {.vertices = ball, .thickness = thickness, .self = false}},
+          {.vertices = ball, .thickness = thickness, .self = Self::none}},
          {.detection = p.detection, .order = 9});
     SolverOptions options = meeting(10);
     options.schedule.collisionPasses = p.passes;

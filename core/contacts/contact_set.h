@@ -52,6 +52,7 @@ public:
     void strike(const Sweep<Real>& sweep, const State<Real>& state, Workers& workers) override;
     void rebound(State<Real>& state) const override;
     void markTouched(std::vector<std::uint8_t>& touched) const override;
+    long failures() const override { return counts_.failed + counts_.disabled; }
     long size() const override { return static_cast<long>(contacts_.size()); }
 
     const ContactCounts& counts() const { return counts_; }

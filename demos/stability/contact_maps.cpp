@@ -54,8 +54,8 @@ Outcome shoot(const Target& target, double thickness, double speed) {
     world.constrain(restRows<Stretch>(edgeStencils(world.complex, sheet), world.rest),
                     {.name = "stretch"});
     meet(world,
-         {{.vertices = sheet, .thickness = 0, .self = false},
-          {.vertices = shot, .thickness = thickness, .self = false}},
+         {{.vertices = sheet, .thickness = 0, .self = Self::none},
+          {.vertices = shot, .thickness = thickness, .self = Self::none}},
          {.detection = target.detection, .order = 1});
     Solver<double> solver(
         world, {.schedule = {.substeps = substeps, .iterations = 4, .collisionPasses = 4}});
@@ -86,7 +86,7 @@ Outcome pile(int layers, int passes, double shock) {
     World world;
     const Range floor = world.add(grid({}, {.origin = {-0.5, 0, 0.5}, .up = {0, 0, -1}}));
     world.pin(pointStencils(floor));
-    std::vector<Surface> surfaces{{.vertices = floor, .thickness = thickness, .self = false}};
+    std::vector<Surface> surfaces{{.vertices = floor, .thickness = thickness, .self = Self::none}};
     for (int i = 0; i < layers; ++i) {
         const double turn = 0.5 * i;
         const Vec<double> across{cosine(turn), 0, -sine(turn)}, up{-sine(turn), 0, -cosine(turn)};

@@ -141,7 +141,8 @@ private:
         recording.violationMean.push_back(strain.mean);
         recording.violationRms.push_back(strain.rms);
         const std::vector<Vec<double>> velocities = solver_.velocities();
-        const Snapshot snapshot{recording.positions.back(), velocities, solver_.time(), frame};
+        const Snapshot snapshot{recording.positions.back(), velocities, solver_.time(), frame,
+                                solver_.failures()};
         recording.metrics.emplace_back();
         for (const Metric& metric : run_.scene.metrics)
             recording.metrics.back().push_back(metric.measure(snapshot));

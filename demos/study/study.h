@@ -36,9 +36,10 @@ struct Reference {
 
 // How a reference is found: `solve` halves its step with each `refinement`, 0 and 1; `confirm` is
 // another integrator. No `confirm`: the reference solves the very equations of its steps, and is
-// exact, or what is compared are statistics, which converge though no trajectory does. No `solve`: there is no reference, and errors are statistics. Frames count from
-// the first on for as long as both differences of each stay below the part `trust` of the size of
-// the scene; where they do not, the comparison ends early.
+// exact, or what is compared are statistics, which converge though no trajectory does. No `solve`:
+// there is no reference, and errors are statistics. Frames count from the first on for as long as
+// both differences of each stay below the part `trust` of the size of the scene; where they do not,
+// the comparison ends early.
 struct ReferenceRule {
     std::string words, confirmingWords;
     std::function<Trajectory(const Run&, int refinement)> solve;
