@@ -110,7 +110,7 @@ std::vector<int> weave(World& world, Range cloth, const Layer& layer, const std:
         return a < n ? Thread::none : a / n <= gathered ? Thread::gather : Thread::weft;
     };
     world.constrain(bendRows(world.complex, cloth, world.rest, layer.rigidity),
-                    {.name = name + "bend", .order = 3, .secondaryInterval = 8});
+                    {.name = name + "bend", .order = 3, .secondaryInterval = 3});
     return plait::weave(world, cloth, threadOf, layer.shearStiffness, name, mending);
 }
 
