@@ -97,7 +97,7 @@ double ContactSet<Real>::leastOf(const Contact& contact) const {
     return -mean(a.stickiness, b.stickiness) * h_ * h_;
 }
 
-// The plane across `normal` that is halfway at the start.
+// How high all are along `normal` when the substep begins.
 template <class Real>
 auto ContactSet<Real>::watchOf(const Contact& contact, const Vec<double>& normal,
                                const PairPoints& start) const -> Watch {
