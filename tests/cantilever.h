@@ -1,6 +1,7 @@
 // A rod that droops under its own weight, held against the elastica (validation A3).
 #pragma once
 
+#include "inextensible.h"
 #include "worlds.h"
 
 namespace plait::test {
@@ -12,14 +13,18 @@ struct Droop {
 
 // A cantilever of 1 m and 1 kg, horizontal where it is clamped, of Gamma = w L^3 / B. The clamp is
 // the middle of a first edge that is pinned, so that the angles stand in the middle of what they
-// bend.
-inline Droop cantilever(double gamma, int links, const ScheduleOptions& schedule) {
+// bend. Its links are swept, or held as a sheet's are.
+inline Droop cantilever(double gamma, int links, const ScheduleOptions& schedule,
+                        bool held = false) {
     const double l = 1 / (links - 0.5);
     World world;
     const Range rod = world.add(chain({.links = links, .from = {-l / 2, 0, 0}, .to = {1, 0, 0}}));
     world.pin({0, 1});
     world.act<Gravity>(GravityOptions{});
-    world.constrain(linksOf(world), {.name = "stretch", .order = 1});
+    if (held)
+        holdSheet(world, rod, {.order = 1});
+    else
+        world.constrain(linksOf(world), {.name = "stretch", .order = 1});
     world.constrain(curveBendRows(world.complex, rod, world.rest, 9.81 / gamma), {.name = "bend"});
     Solver<double> solver(world, {.schedule = schedule, .damping = 0.3});
     advance(solver, 48);

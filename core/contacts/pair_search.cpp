@@ -143,10 +143,9 @@ void PairSearch::follow(std::span<const Vec<double>> start, std::span<const Vec<
     workers.forBlocks(static_cast<int>(members_.size()), 1024, [&](int first, int last) {
         for (int i = first; i < last; ++i) {
             const int v = members_[i];
-            const Vec<double> home = moved_(from_[v]);
-            const double strayed = length(start[v] - home), way = strayed + length(end[v] - home);
-            strayed_[v] = {static_cast<float>((1 + 1e-6) * strayed + 1e-12),
-                           static_cast<float>((1 + 1e-6) * way + 1e-12)};
+            const double strayed =
+                std::max(length(start[v] - moved_(from_[v])), length(end[v] - moved_(to_[v])));
+            strayed_[v] = static_cast<float>((1 + 1e-6) * strayed + 1e-12);
         }
     });
     for (auto& side : groups_)
@@ -158,14 +157,10 @@ void PairSearch::follow(std::span<const Vec<double>> start, std::span<const Vec<
         }
 }
 
-// One vertex may have strayed furthest, and another go furthest.
 float PairSearch::strayed(std::span<const int> ids) const {
-    Stray most{};
-    for (const int v : ids) {
-        most.start = std::max(most.start, strayed_[v].start);
-        most.way = std::max(most.way, strayed_[v].way);
-    }
-    return most.start + most.way;
+    float most = 0;
+    for (const int v : ids) most = std::max(most, strayed_[v]);
+    return most;
 }
 
 // Keeps of what was found by its bounds, part by part, what is near enough.
@@ -185,7 +180,7 @@ void PairSearch::sift(Meeting& m, Workers& workers) {
                     const Candidate& c = block[std::min(i + k, block.size() - 1)];
                     four[k] = {c.a, c.b, 0};
                 }
-                const std::array<float, 4> apart = apartAtLeast(fourOf(m, four), at_);
+                const std::array<float, 4> apart = nearing(m, four);
                 for (std::size_t k = 0; k < 4 && i + k < block.size(); ++k) {
                     if (apart[k] > m.a->reach[four[k].a] + m.b->reach[four[k].b]) continue;
                     m.near[to] = four[k];
@@ -224,9 +219,8 @@ void PairSearch::sweep(std::span<const Vec<double>> start, std::span<const Vec<d
         for (int i = first; i < last; ++i) {
             const int v = members_[i];
             const Travel travel{start, end, 1.001 * (reachOf(v) + 0.5 * slack + used_), start[0]};
-            const double reach = travel.radius + length(end[v] - start[v]);
             swept_[v] = {sweptBounds<18>(std::span(&v, 1), travel),
-                         static_cast<float>((1 + 1e-6) * reach + 1e-12)};
+                         static_cast<float>((1 + 1e-6) * travel.radius + 1e-12)};
         }
     });
 }

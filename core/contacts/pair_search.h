@@ -57,8 +57,8 @@ private:
         int arity = 1;
         std::vector<int> ids;
         std::unique_ptr<Tree> tree{};
-        std::vector<float> strayed{};  // m: by how much each may have come nearer to others
-        std::vector<float> reach{};    // m: how near others must be to be listed with each
+        std::vector<float> strayed{};  // m: how far each is off the way foreseen, at most
+        std::vector<float> reach{};    // m: how near others must come to be listed with each
         int count() const { return static_cast<int>(ids.size()) / arity; }
         std::span<const int> at(int i) const {
             return std::span(ids).subspan(std::size_t(i) * arity, arity);
@@ -67,7 +67,7 @@ private:
     enum Kind { points, edges, triangles, curves, grains, balls, kinds };
     struct Listed {
         int a, b;
-        float apart;  // m, at least, when pairs were looked for
+        float apart;  // m, at least, on the way foreseen when pairs were looked for
     };
     // Two groups whose members may meet, and those that are near enough.
     struct Meeting {
@@ -92,9 +92,8 @@ private:
     void search(std::span<const Vec<double>> start, std::span<const Vec<double>> end, double slack,
                 Workers& workers);
     void sift(Meeting& meeting, Workers& workers);
-    // Of four listed ones (m): how far apart they are now, at least; and by how much less, at most,
-    // on their way to where they are heading.
     static FourPairs fourOf(const Meeting& meeting, std::span<const Listed, 4> four);
+    // How far apart they are at least on their way to where they are heading, m.
     std::array<float, 4> nearing(const Meeting& meeting, std::span<const Listed, 4> four) const;
     float strayed(std::span<const int> ids) const;
     void place(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
@@ -117,15 +116,10 @@ private:
     Rigid moved_;
     struct Swept {
         Bounds bounds;
-        float reach;  // m, beyond its start
+        float reach;  // m, beyond its way
     };
-    std::vector<Swept> swept_;  // by vertex
-    // How far each has strayed since, against that motion, and how far it goes from there at
-    // most; m, rounded up.
-    struct Stray {
-        float start, way;
-    };
-    std::vector<Stray> strayed_;
+    std::vector<Swept> swept_;    // by vertex
+    std::vector<float> strayed_;  // m, of each from that way, at either end, rounded up
     std::vector<Spot> at_,
         way_;  // of the start last covered, from the first vertex's; and to its end
 };

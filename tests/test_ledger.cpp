@@ -1,0 +1,118 @@
+// What pinned matter gives, and where it goes: no energy is in no line.
+#include "catch.h"
+#include "contact_worlds.h"
+#include "contacts/contact_set.h"
+#include "elementary.h"
+#include "ledger.h"
+#include "report.h"
+#include "scene.h"
+
+#include <numeric>
+
+using namespace plait;
+using namespace plait::test;
+
+namespace {
+
+constexpr Vec<double> g{0, -9.81, 0};
+
+// A lift that also goes aside, from rest to rest in 1 s, and then stays.
+Vec<double> lifted(const Vec<double>& start, double t) {
+    const double s = std::min(t, 1.0);
+    return start + (0.5 - 0.5 * cosine(pi * s)) * Vec<double>{0.3, 0.5, 0};
+}
+
+Vec<double> momentumOf(const World& world, const Solver<double>& solver) {
+    const Points v = solver.velocities();
+    Vec<double> sum{};
+    for (std::size_t i = 0; i < v.size(); ++i)
+        if (!world.pinned[i]) sum += world.mass[i] * v[i];
+    return sum;
+}
+
+double freeMass(const World& world) {
+    double sum = 0;
+    for (std::size_t i = 0; i < world.mass.size(); ++i)
+        if (!world.pinned[i]) sum += world.mass[i];
+    return sum;
+}
+
+}  // namespace
+
+// All that is pinned goes the same way, so what it gives follows from the momentum of what hangs on
+// it or stands on it, without a look at any constraint.
+TEST_CASE("ledger: what a lift gives is its way times the momentum that others take", "[ledger]") {
+    World world;
+    SECTION("a cloth hangs on it") {
+        const Range cloth = world.add(grid({.columns = 6, .rows = 8, .width = 0.6, .height = 0.8}));
+        world.pin(world.select(cloth, [](const Vec<double>& x) { return x.y > 0.79; }), lifted);
+        world.constrain(linksOf(world), {.name = "links"});
+    }
+    SECTION("a cube stands on it") {
+        world.add(grid({.width = 4, .height = 4},
+                       {.origin = {-2, 0, 2}, .across = {1, 0, 0}, .up = {0, 0, -1}}));
+        world.pin({0, 1, 2, 3}, lifted);
+        const Range cube = addCube(world, 0, 0.011);
+        meet(world, {{.vertices = {0, 4},
+                      .thickness = 0.005,
+                      .staticFriction = 0.2,
+                      .dynamicFriction = 0.2},
+                     {.vertices = cube,
+                      .thickness = 0.005,
+                      .staticFriction = 0.2,
+                      .dynamicFriction = 0.2}});
+    }
+    world.act<Gravity>(GravityOptions{.acceleration = g});
+    if (world.sets.size() == 1)  // for the ledger to be closed by
+        meet(world, {{.vertices = {0, static_cast<int>(world.start.size())}, .thickness = 1e-4}});
+    Ledger ledger(world, g);
+    constexpr int rate = 1000;
+    SolverOptions options = stepping(rate);
+    options.schedule.iterations = 20;
+    options.schedule.collisionPasses = 20;
+    options.damping = 0.02;
+    Solver<double> solver(world, options);
+    double given = 0;
+    for (int step = 0; step < 1.5 * rate; ++step) {
+        const Vec<double> before = momentumOf(world, solver);
+        solver.frame();
+        // Damping takes its part of the momentum after everything else.
+        const double kept = std::pow(1 - options.damping, 24.0 / rate);
+        const Vec<double> taken =
+            (1 / kept) * momentumOf(world, solver) - before - (freeMass(world) / rate) * g;
+        given += dot(taken, lifted({}, (step + 1.0) / rate) - lifted({}, step * 1.0 / rate)) * rate;
+    }
+    note("given, J", ledger.given());
+    note("lost in sets, J", ledger.lost());
+    note("to damping, J", ledger.damping());
+    CHECK(ledger.given() > 0.4 * freeMass(world) * 9.81);
+    CHECK(report("given, against momentum", std::fabs(ledger.given() / given - 1), 1e-5));
+    CHECK(
+        report("in no line, of what is given", std::fabs(ledger.missing() / ledger.given()), 1e-5));
+}
+
+// Through the whole dance, once the skirt has settled on her. That no set gives energy, to a
+// hundredth of hers: those that bend and shear may give back what they held.
+TEST_CASE("ledger: what the dancer gives is accounted for", "[ledger][dress][long]") {
+    Scene scene = build(findScene("dress"), Quality::draft);
+    Ledger ledger(scene.world, g);
+    Solver<double> solver(scene.world, scene.options);
+    for (int frame = 0; frame < static_cast<int>(scene.lead * 24); ++frame) solver.frame();
+    ledger.clear();
+    for (int frame = 0; frame < static_cast<int>(scene.seconds * 24); ++frame) solver.frame();
+    note("she gives, J", ledger.given());
+    note("to the air, J", ledger.air());
+    note("to damping, J", ledger.damping());
+    for (const Ledger::Line& line : ledger.lines()) {
+        note("to " + line.set + ", J", line.lost);
+        CHECK(line.lost > -0.01 * ledger.given());
+        CHECK(report("impulses of " + line.set + " that nothing answers, of all",
+                     divide(length(line.excess), line.felt + 1e-6), 1e-6));
+    }
+    note("gained, J", ledger.gained());
+    CHECK(ledger.given() > 1);
+    CHECK(ledger.air() > 0);
+    CHECK(ledger.damping() > 0);
+    CHECK(report("in no line, of what she gives", std::fabs(ledger.missing() / ledger.given()),
+                 1e-9));
+}
