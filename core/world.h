@@ -154,6 +154,17 @@ void World::constrain(Rows<Kind> rows, SetOptions options) {
     constrain(recipeOf<Constraint>(make), std::move(options), requires { Kind::contact; });
 }
 
+// Those of the core's own kinds are compiled once (world_kinds.cpp).
+extern template void World::constrain(Rows<Stretch>, SetOptions);
+extern template void World::constrain(Rows<Angle>, SetOptions);
+extern template void World::constrain(Rows<Shear>, SetOptions);
+extern template void World::constrain(Rows<Bend>, SetOptions);
+extern template void World::constrain(Rows<Attach>, SetOptions);
+extern template void World::constrain(Rows<Tether>, SetOptions);
+extern template void World::constrain(Rows<PlaneContact>, SetOptions);
+extern template void World::constrain(Rows<SphereContact>, SetOptions);
+extern template void World::constrain(Rows<CapsuleContact>, SetOptions);
+
 template <template <class> class F, class Options>
 void World::act(Options options) {
     const auto make = [options]<class Real>(const World& world,

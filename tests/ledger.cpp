@@ -1,5 +1,6 @@
 #include "ledger.h"
 
+#include <algorithm>
 #include <memory>
 #include <numeric>
 #include <utility>

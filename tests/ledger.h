@@ -21,7 +21,8 @@ public:
     };
 
     // Solvers in double that are made of `world` from here on enter in this ledger, one at a time,
-    // on one thread, with the first-order integrator; `g` in m/s^2.
+    // on one thread, with the first-order integrator; `g` in m/s^2. The world needs gravity or
+    // another force, which opens a substep, and one set of contacts, which closes it.
     Ledger(World& world, const Vec<double>& g);
 
     // Begins anew, from where the run is.
