@@ -1,5 +1,7 @@
 #include "ledger.h"
 
+#include "measure/energy.h"
+
 #include <algorithm>
 #include <memory>
 #include <numeric>
@@ -12,8 +14,8 @@ using Impulses = std::vector<Vec<double>>;
 // A force, and what it does to velocities.
 class MeteredForce : public Force<double> {
 public:
-    MeteredForce(std::unique_ptr<Force<double>> force, Ledger& ledger, bool first)
-        : force_(std::move(force)), ledger_(ledger), first_(first) {}
+    MeteredForce(std::unique_ptr<Force<double>> force, Ledger& ledger)
+        : force_(std::move(force)), ledger_(ledger) {}
 
     std::string name() const override { return force_->name(); }
     bool hasInertia() const override { return force_->hasInertia(); }
@@ -21,7 +23,6 @@ public:
         force_->beginFrame(state, t0, t1, workers);
     }
     void prepare(State<double>& state, Workers& workers) override {
-        if (first_) ledger_.open(state);
         meter(state, [&] { force_->prepare(state, workers); });
     }
     void apply(State<double>& state, double t, double h, Workers& workers) override {
@@ -40,7 +41,6 @@ private:
 
     std::unique_ptr<Force<double>> force_;
     Ledger& ledger_;
-    bool first_;
 };
 
 // A set, and what it does to positions.
@@ -112,16 +112,20 @@ private:
     double h_ = 0;
 };
 
-Ledger::Ledger(World& world, const Vec<double>& g) : g_(g), mass_(world.mass) {
+Ledger::Ledger(World& world, const Vec<double>& g)
+    : g_(g),
+      mass_(world.mass),
+      impulses_(world.sets.size(), Impulses(mass_.size())),
+      blown_(mass_.size()),
+      positions_(world.start),
+      velocities_(world.velocity) {
     double heaviest = 0;
     for (std::size_t v = 0; v < mass_.size(); ++v) {
         if (world.pinned[v]) mass_[v] = 0;
         heaviest = std::max(heaviest, mass_[v]);
     }
     lent_ = 1e-7 / heaviest;
-    impulses_.resize(world.sets.size(), Impulses(mass_.size()));
-    blown_.resize(mass_.size());
-    velocity_.resize(mass_.size());
+    start_ = energy();
     for (std::size_t s = 0; s < world.sets.size(); ++s) {
         lines_.push_back({.set = world.sets[s].options.name});
         auto& make = world.sets[s].recipe.full;
@@ -129,17 +133,15 @@ Ledger::Ledger(World& world, const Vec<double>& g) : g_(g), mass_(world.mass) {
             return std::make_unique<MeteredSet>(make(of, kernels), *this, s);
         };
     }
-    for (std::size_t f = 0; f < world.forces.size(); ++f) {
-        auto& make = world.forces[f].full;
-        make = [this, f, make](const World& of, KernelChoice kernels) {
-            return std::make_unique<MeteredForce>(make(of, kernels), *this, f == 0);
+    for (Recipe<Force>& force : world.forces)
+        force.full = [this, make = force.full](const World& of, KernelChoice kernels) {
+            return std::make_unique<MeteredForce>(make(of, kernels), *this);
         };
-    }
 }
 
 void Ledger::clear() {
     for (Line& line : lines_) line = {.set = line.set};
-    start_ = energy_;
+    start_ = energy();
     air_ = damping_ = falling_ = 0;
 }
 
@@ -153,20 +155,8 @@ double Ledger::lost() const {
                            [](double sum, const Line& line) { return sum + line.lost; });
 }
 
-double Ledger::energyOf(const State<double>& state) const {
-    double sum = 0;
-    for (std::size_t v = 0; v < mass_.size(); ++v) {
-        const Vec<double> u = state.velocity[v].v;
-        sum += mass_[v] * (0.5 * dot(u, u) - dot(g_, state.position(static_cast<int>(v))));
-    }
-    return sum;
-}
-
-void Ledger::open(const State<double>& state) {
-    if (!std::exchange(begun_, true)) start_ = energyOf(state);
-    for (std::size_t v = 0; v < mass_.size(); ++v) velocity_[v] = state.velocity[v].v;
-    for (Impulses& impulses : impulses_) std::fill(impulses.begin(), impulses.end(), Vec<double>{});
-    std::fill(blown_.begin(), blown_.end(), Vec<double>{});
+double Ledger::energy() const {
+    return kineticEnergy(mass_, velocities_) + gravitationalEnergy(mass_, positions_, g_);
 }
 
 // With the mean of a vertex's velocities at both ends, an impulse gives exactly the energy that is
@@ -174,7 +164,7 @@ void Ledger::open(const State<double>& state) {
 void Ledger::close(const State<double>& state, double h) {
     for (std::size_t v = 0; v < mass_.size(); ++v) {
         const Vec<double> u = (1 / h) * (state.particles[v].d - state.last[v].v);
-        const Vec<double> mean = 0.5 * (velocity_[v] + u);
+        const Vec<double> mean = 0.5 * (velocities_[v] + u);
         for (std::size_t s = 0; s < lines_.size(); ++s) {
             const Vec<double>& p = impulses_[s][v];
             Line& line = lines_[s];
@@ -191,8 +181,11 @@ void Ledger::close(const State<double>& state, double h) {
         falling_ += mass_[v] * h * dot(g_, u - mean);
         const Vec<double> damped = state.velocity[v].v;
         damping_ += 0.5 * mass_[v] * (dot(u, u) - dot(damped, damped));
+        velocities_[v] = damped;
+        positions_[v] = state.position(static_cast<int>(v));
     }
-    energy_ = energyOf(state);
+    for (Impulses& impulses : impulses_) std::ranges::fill(impulses, Vec<double>{});
+    std::ranges::fill(blown_, Vec<double>{});
 }
 
 }  // namespace plait::test

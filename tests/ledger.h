@@ -21,8 +21,8 @@ public:
     };
 
     // Solvers in double that are made of `world` from here on enter in this ledger, one at a time,
-    // on one thread, with the first-order integrator; `g` in m/s^2. The world needs gravity or
-    // another force, which opens a substep, and one set of contacts, which closes it.
+    // on one thread, with the first-order integrator; `g` in m/s^2. The world needs one
+    // set of contacts, which closes a substep.
     Ledger(World& world, const Vec<double>& g);
 
     // Begins anew, from where the run is.
@@ -34,9 +34,7 @@ public:
     double damping() const { return damping_; }  // J, taken by SolverOptions::damping
     // J, taken from what falls, which falls by the velocity that a substep ends with.
     double falling() const { return falling_; }
-    double gained() const {
-        return energy_ - start_;
-    }  // J, kinetic and of gravity, of what is free
+    double gained() const { return energy() - start_; }  // J, kinetic and of gravity, what is free
     // J, of what is gained: in no line.
     double missing() const { return gained() - (given() - lost() - air_ - damping_ - falling_); }
     const std::vector<Line>& lines() const { return lines_; }
@@ -45,19 +43,17 @@ private:
     friend class MeteredSet;
     friend class MeteredForce;
 
-    void open(const State<double>& state);
     void close(const State<double>& state, double h);
-    double energyOf(const State<double>& state) const;
+    double energy() const;
 
     Vec<double> g_;
     std::vector<double> mass_;  // kg; 0: pinned
     double lent_ = 0;           // 1/kg, inverse mass of what is pinned
     std::vector<Line> lines_;
-    std::vector<std::vector<Vec<double>>> impulses_;  // N s in this substep, by set and vertex
-    std::vector<Vec<double>> blown_;                  // N s in this substep, of forces but gravity
-    std::vector<Vec<double>> velocity_;               // m/s, where it began
-    double start_ = 0, energy_ = 0, air_ = 0, damping_ = 0, falling_ = 0;
-    bool begun_ = false;
+    std::vector<std::vector<Vec<double>>> impulses_;   // N s in this substep, by set and vertex
+    std::vector<Vec<double>> blown_;                   // N s in this substep, of forces but gravity
+    std::vector<Vec<double>> positions_, velocities_;  // m, m/s, where it began
+    double start_ = 0, air_ = 0, damping_ = 0, falling_ = 0;
 };
 
 }  // namespace plait::test

@@ -49,16 +49,9 @@ template <class Real>
 void ContactSet<Real>::cross(const Sweep<Real>& sweep, Workers& workers) {
     locate(sweep, workers);
     if (asForeseen(workers)) {
-        constexpr int block = 512;
-        const int blocks = (foreseen_ + block - 1) / block;
+        parts_.resize(std::max(parts_.size(), std::size_t(1)));
         for (auto& part : parts_) part.clear();
-        parts_.resize(std::max(parts_.size(), std::size_t(blocks)));
-        workers.forBlocks(blocks, 1, [&](int begin, int end) {
-            for (int b = begin; b < end; ++b) {
-                const int last = std::min((b + 1) * block, foreseen_);
-                for (int i = b * block; i < last; ++i) check(contacts_[i].pair, parts_[b]);
-            }
-        });
+        for (int i = 0; i < foreseen_; ++i) check(contacts_[i].pair, parts_[0]);
     } else {
         counts_.searches += search_.cover(start_, end_, slack_, workers);
         search_.collect(
