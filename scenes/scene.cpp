@@ -7,6 +7,18 @@
 #include <stdexcept>
 
 namespace plait {
+namespace {
+
+Knob mendingKnob(double percent) {
+    return {.name = "mending",
+            .meaning = "how much too long a link may be, unless swept alone; 0: never mended",
+            .unit = "%",
+            .value = percent,
+            .low = 0,
+            .high = 10};
+}
+
+}  // namespace
 
 std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a table
     static const std::vector<SceneEntry> all = {
@@ -87,13 +99,7 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                     .meaning = "what contacts look at: whole paths, or where substeps end",
                     .choices = {"path", "end"},
                     .text = "path"},
-                   {.name = "mending",
-                    .meaning =
-                        "how much too long a link may be, unless swept alone; 0: never mended",
-                    .unit = "%",
-                    .value = 1,
-                    .low = 0,
-                    .high = 10}},
+                   mendingKnob(1)},
          .build = dress},
         {.name = "elbow",
          .title = "Pinched elbow",
@@ -155,13 +161,7 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                         "tethers and coarse levels; or with all three",
                     .choices = {"sweeps", "strands", "aggregates", "all"},
                     .text = "strands"},
-                   {.name = "mending",
-                    .meaning =
-                        "how much too long a link may be, unless swept alone; 0: never mended",
-                    .unit = "%",
-                    .value = 0.8,
-                    .low = 0,
-                    .high = 10},
+                   mendingKnob(0.8),
                    {.name = "size",
                     .meaning = "vertices along a side; 0: 16, 32 or 64 by quality",
                     .value = 0,
@@ -245,13 +245,7 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                     .value = 0.0015,
                     .low = 0.0002,
                     .high = 0.01},
-                   {.name = "mending",
-                    .meaning =
-                        "how much too long a link may be, unless swept alone; 0: never mended",
-                    .unit = "%",
-                    .value = 1,
-                    .low = 0,
-                    .high = 10}},
+                   mendingKnob(1)},
          .build = sheetOnSphere},
         {.name = "soft-pins",
          .title = "Soft pins",
