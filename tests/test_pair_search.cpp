@@ -148,3 +148,28 @@ TEST_CASE("contacts: pairs looked for long ago are those looked for now", "[cont
     CHECK(searches < 100);
     CHECK(differing == 0);
 }
+
+// Two fly one behind the other and keep their distance; if the one ahead is stopped, the other one
+// passes it, and neither is where nobody had thought it would be.
+TEST_CASE("contacts: what is stopped on its way may be met by what is not", "[contacts]") {
+    const SimplicialComplex complex(6, {.triangles = {{0, 1, 2}, {3, 4, 5}}});
+    Points x;
+    for (const double ahead : {0.0, 0.5})
+        for (const Vec<double>& corner : {Vec<double>{0, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}})
+            x.push_back(corner + Vec<double>{ahead, 0, 0});
+    Points end = x, stopped = x;
+    for (Vec<double>& a : end) a.x += 1;
+    for (int v = 0; v < 3; ++v) stopped[v] = end[v];
+    Workers workers(1);
+    PairSearch search = searchOf(complex, 0.2);
+    search.cover(x, end, slack, workers);
+    CHECK(chosen(search, x, end, workers).empty());
+    for (const auto& [from, to] : {std::pair{x, stopped}, {stopped, x}}) {
+        PairSearch fresh = searchOf(complex, 0.2);
+        fresh.cover(from, to, slack, workers);
+        search.cover(from, to, slack, workers);
+        const auto expected = chosen(fresh, from, to, workers);
+        CHECK(expected.size() == 15);
+        CHECK(chosen(search, from, to, workers) == expected);
+    }
+}

@@ -58,7 +58,9 @@ void ContactSet<Real>::cross(const Sweep<Real>& sweep, Workers& workers) {
             parts_, 0.5 * widest_, workers,
             [&](const Pairing& pair, std::vector<Contact>& list) { check(pair, list); });
     }
-    gather(crossing_);
+    sortParts();
+    crossing_.clear();
+    for (const Contact* const c : ordered_) crossing_.push_back(*c);
     counts_.impacts += static_cast<long>(crossing_.size());
 }
 

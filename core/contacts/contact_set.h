@@ -91,7 +91,9 @@ private:
     void consider(const Pairing& pair, std::vector<Contact>& list) const;
     double gapOf(const Pairing& pair, const Nearest& now) const;
     void bend(const Sweep<Real>& sweep, const State<Real>& state);
+    void sortParts();
     void colour();
+    void arouse(const Sweep<Real>& sweep, Workers& workers);
     PairPoints startOf(const Pairing& pair) const;
     PairPoints endOf(const Sweep<Real>& sweep, const Pairing& pair) const;
     Touch touch(const Contact& contact, const PairPoints& start, const PairPoints& end) const;
@@ -104,7 +106,6 @@ private:
     void check(const Pairing& pair, std::vector<Contact>& list) const;
     bool asForeseen(Workers& workers) const;
     void cross(const Sweep<Real>& sweep, Workers& workers);
-    void gather(std::vector<Contact>& list) const;
     int putBack(const Sweep<Real>& sweep);
 
     ContactOptions options_;
@@ -116,17 +117,22 @@ private:
     std::vector<Bounce> bounces_;
     std::vector<Path> paths_;  // by vertex, of this substep
     std::vector<int> bent_;    // vertices that bounced
-    std::vector<Contact> contacts_, sorted_, crossing_;
-    std::vector<Watch> watches_;                // of contacts_, as they were found
+    std::vector<Contact> contacts_, crossing_;
+    std::vector<Watch> watches_;                // of contacts_
     std::array<int, colorLimit + 2> colors_{};  // where each colour begins in contacts_
-    std::vector<std::vector<Contact>> parts_;
-    std::vector<std::uint64_t> taken_;    // colours at each vertex
-    double slack_;                        // m, that contacts reach beyond their gap
-    double widest_;                       // m, the largest thickness, as wide as it counts
-    double h_ = 0;                        // s
-    bool ready_ = false;                  // contacts_ are those of this substep
-    int foreseen_ = 0;                    // contacts as they were found; what crossed follows
-    std::unique_ptr<Failures> failures_;  // null: nothing is ever left out
+    std::vector<std::vector<Contact>> parts_;   // as they are found
+    std::vector<Contact*> ordered_;             // all of them
+    std::vector<int> places_;                   // in ordered_, by kind and first vertex
+    std::vector<std::uint64_t> taken_;          // colours at each vertex
+    std::vector<std::vector<int>> stirring_;    // parts of awake_
+    std::vector<int> awake_;                    // contacts that no plane answers for
+    bool returns_ = false;                      // the way back over the same ones is to come
+    double slack_;                              // m, that contacts reach beyond their gap
+    double widest_;                             // m, the largest thickness, as wide as it counts
+    double h_ = 0;                              // s
+    bool ready_ = false;                        // contacts_ are those of this substep
+    int foreseen_ = 0;                          // contacts as they were found; what crossed follows
+    std::unique_ptr<Failures> failures_;        // null: nothing is ever left out
     ContactCounts counts_;
 };
 

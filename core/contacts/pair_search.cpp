@@ -87,14 +87,15 @@ double PairSearch::reachOf(int vertex) const {
     return thickness_[vertex] * (of.self == Self::none ? 1 : std::max(1.0, of.selfWidth));
 }
 
-bool PairSearch::inside(std::span<const Vec<double>> at, const Rigid& moved,
-                        Workers& workers) const {
+bool PairSearch::asForeseen(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
+                            Workers& workers) const {
     std::atomic<bool> all{true};
-    workers.forBlocks(static_cast<int>(members_.size()), 1024, [&](int begin, int end) {
-        for (int i = begin; i < end; ++i) {
+    workers.forBlocks(static_cast<int>(members_.size()), 1024, [&](int first, int last) {
+        for (int i = first; i < last; ++i) {
             const int v = members_[i];
-            const Vec<double> a = at[v] - moved(from_[v]), b = at[v] - moved(to_[v]);
-            if (!(std::min(dot(a, a), dot(b, b)) <= used_ * used_)) all = false;
+            const Vec<double> a = start[v] - moved_(from_[v]), b = end[v] - moved_(to_[v]);
+            const double most = double(used_[v]) * double(used_[v]);
+            if (!(dot(a, a) <= most && dot(b, b) <= most)) all = false;
         }
     });
     return all;
@@ -109,14 +110,18 @@ bool PairSearch::cover(std::span<const Vec<double>> start, std::span<const Vec<d
     return !same;
 }
 
-// Distances are the same after any rigid motion, so any serves; what stands on a wide floor may
-// stay within the margin of none.
+// Either all are on the ways foreseen, or all have arrived: where of two one has and the other was
+// stopped, nothing is known of them. Distances are the same after any rigid motion, so any serves;
+// what stands on a wide floor may stay within the margin of none.
 bool PairSearch::known(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                        Workers& workers) {
     if (from_.empty()) return false;
-    for (const Rigid& moved : {rigidMotion(from_, start, members_), Rigid{}}) {
-        moved_ = moved;
-        if (inside(start, moved_, workers) && inside(end, moved_, workers)) return true;
+    for (const bool arrived : {false, true}) {
+        if (arrived) from_ = to_;
+        for (const Rigid& moved : {rigidMotion(from_, start, members_), Rigid{}}) {
+            moved_ = moved;
+            if (asForeseen(start, end, workers)) return true;
+        }
     }
     return false;
 }
@@ -210,15 +215,24 @@ std::array<float, 4> PairSearch::nearing(const Meeting& m, std::span<const Liste
     return apart;
 }
 
+// As much as a vertex travels in some substeps.
+float PairSearch::marginFor(double travel) const {
+    return static_cast<float>(std::clamp(8 * travel, 0.5 * margin_, margin_));
+}
+
 // Bounds of what each vertex sweeps: those of a simplex are all of its vertices'. A thousandth
 // wider, since impacts may be told a little early.
 void PairSearch::sweep(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                        double slack, Workers& workers) {
+    const Rigid step = rigidMotion(start, end, members_);
     swept_.resize(start.size());
+    used_.resize(start.size());
     workers.forBlocks(static_cast<int>(members_.size()), 256, [&](int first, int last) {
         for (int i = first; i < last; ++i) {
             const int v = members_[i];
-            const Travel travel{start, end, 1.001 * (reachOf(v) + 0.5 * slack + used_), start[0]};
+            used_[v] = marginFor(length(end[v] - step(start[v])));
+            const Travel travel{start, end, 1.001 * (reachOf(v) + 0.5 * slack + used_[v]),
+                                start[0]};
             swept_[v] = {sweptBounds<18>(std::span(&v, 1), travel),
                          static_cast<float>((1 + 1e-6) * travel.radius + 1e-12)};
         }
@@ -230,9 +244,6 @@ void PairSearch::search(std::span<const Vec<double>> start, std::span<const Vec<
     from_.assign(start.begin(), start.end());
     to_.assign(end.begin(), end.end());
     moved_ = {};
-    double fastest = 0;
-    for (const int v : members_) fastest = std::max(fastest, length(end[v] - start[v]));
-    used_ = std::clamp(4 * fastest, 0.1 * margin_, margin_);
     sweep(start, end, slack, workers);
     for (auto& side : groups_)
         for (Group& group : side) {

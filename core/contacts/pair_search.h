@@ -24,8 +24,8 @@ public:
 
     // Makes sure the list holds every pair that comes as near as its thicknesses and `slack` while
     // all vertices move from start to end (m, by vertex). Looks for pairs only where a vertex has
-    // left the margin round where it was, or was heading for, when they were last looked for, moved
-    // as rigidly as all have since; true if it did.
+    // left the margin round the way it was foreseen to go when they were last looked for, or, once
+    // all have arrived, round where that ended, moved as rigidly as all have since; true if it did.
     bool cover(std::span<const Vec<double>> start, std::span<const Vec<double>> end, double slack,
                Workers& workers);
 
@@ -84,9 +84,11 @@ private:
     void mayMeet(Kind a, Kind b, Self self);
     bool accepts(const Meeting& meeting, std::span<const int> a, std::span<const int> b) const;
     double reachOf(int vertex) const;
-    bool inside(std::span<const Vec<double>> at, const Rigid& moved, Workers& workers) const;
+    bool asForeseen(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
+                    Workers& workers) const;
     bool known(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                Workers& workers);
+    float marginFor(double travel) const;
     void sweep(std::span<const Vec<double>> start, std::span<const Vec<double>> end, double slack,
                Workers& workers);
     void search(std::span<const Vec<double>> start, std::span<const Vec<double>> end, double slack,
@@ -107,11 +109,12 @@ private:
     std::vector<double> thickness_;
     std::vector<unsigned char> pinned_;
     std::vector<int> members_;  // vertices of all surfaces
-    double margin_, used_ = 0;  // m: at most, and now, by how fast things are
+    double margin_;             // m, at most
+    std::vector<float> used_;   // m, of that, by vertex
     Group groups_[2][kinds];    // what moves, and what is pinned throughout
     std::vector<Meeting> meetings_;
-    // Where the vertices were, and were heading for, when pairs were last looked for, and how all
-    // of them have moved since.
+    // Where the vertices were, and were heading for, when pairs were last looked for; the latter
+    // twice, once all have arrived; and how all of them have moved since.
     std::vector<Vec<double>> from_, to_;
     Rigid moved_;
     struct Swept {
