@@ -212,17 +212,21 @@ double SmoothedAggregation::solve(std::span<Vec<float>> b, int iterations, Worke
         if (n == 0) first = rz;
         if (!(rz > 0)) break;
         const float beta = n > 0 ? static_cast<float>(rz / before) : 0;
-        for (int i = 0; i < nodes; ++i) on.p[i] = on.z[i] + beta * on.p[i];
+        workers.forBlocks(nodes, 256, [&](int begin, int end) {
+            for (int i = begin; i < end; ++i) on.p[i] = on.z[i] + beta * on.p[i];
+        });
         workers.forBlocks(nodes, 256, [&](int begin, int end) {
             for (int i = begin; i < end; ++i) on.q[i] = on.a.row(i, on.p);
         });
         const double pq = on.dot(on.p, on.q, workers);
         if (!(pq > 0)) break;
         const float alpha = static_cast<float>(rz / pq);
-        for (int i = 0; i < nodes; ++i) {
-            on.x[i] = on.x[i] + alpha * on.p[i];
-            on.r[i] = on.r[i] - alpha * on.q[i];
-        }
+        workers.forBlocks(nodes, 256, [&](int begin, int end) {
+            for (int i = begin; i < end; ++i) {
+                on.x[i] = on.x[i] + alpha * on.p[i];
+                on.r[i] = on.r[i] - alpha * on.q[i];
+            }
+        });
     }
     std::fill(b.begin(), b.end(), Vec<float>{0, 0, 0});
     for (int i = 0; i < nodes; ++i) b[on.vertexOf[i]] = {on.x[i][0], on.x[i][1], on.x[i][2]};
