@@ -194,13 +194,13 @@ void SmoothedAggregation::setUp(std::span<const Symmetric<float>> vertexBlocks,
     on.coarse->setUp(workers);
 }
 
-double SmoothedAggregation::solve(std::span<Vec<float>> b, int iterations, Workers& workers) {
+double SmoothedAggregation::solve(std::span<Vec<float>> x, int iterations, Workers& workers) {
     Levels& on = *levels_;
-    if (b.size() != on.vertices) throw std::invalid_argument("a number for each vertex is wanted");
+    if (x.size() != on.vertices) throw std::invalid_argument("a number for each vertex is wanted");
     const FlushDenormals flush;
     const int nodes = on.a.count();
     for (int i = 0; i < nodes; ++i) {
-        const Vec<float>& from = b[on.vertexOf[i]];
+        const Vec<float>& from = x[on.vertexOf[i]];
         on.r[i].pack[0] = Pack<4>(Pack<4>::V{from.x, from.y, from.z, 0});
         on.x[i] = on.p[i] = Record<3>(0);
     }
@@ -228,8 +228,8 @@ double SmoothedAggregation::solve(std::span<Vec<float>> b, int iterations, Worke
             }
         });
     }
-    std::fill(b.begin(), b.end(), Vec<float>{0, 0, 0});
-    for (int i = 0; i < nodes; ++i) b[on.vertexOf[i]] = {on.x[i][0], on.x[i][1], on.x[i][2]};
+    std::fill(x.begin(), x.end(), Vec<float>{0, 0, 0});
+    for (int i = 0; i < nodes; ++i) x[on.vertexOf[i]] = {on.x[i][0], on.x[i][1], on.x[i][2]};
     return first > 0 ? std::sqrt(std::max(rz, 0.0) / first) : 0;
 }
 

@@ -78,12 +78,12 @@ void CoarseLevels::setUp(Workers& workers) {
     }
 }
 
-const std::vector<Record<6>>& CoarseLevels::cycle(std::size_t n, Workers& workers) {
-    Level& level = *levels_[n];
+const std::vector<Record<6>>& CoarseLevels::cycle(std::size_t number, Workers& workers) {
+    Level& level = *levels_[number];
     level.a.forward(level.b, level.x, level.r, workers);
     if (!level.passage) return level.x;  // no body has a neighbour: that was exact
-    level.passage->restrict(level.r, levels_[n + 1]->b, workers);
-    level.passage->prolong(cycle(n + 1, workers), level.x, workers);
+    level.passage->restrict(level.r, levels_[number + 1]->b, workers);
+    level.passage->prolong(cycle(number + 1, workers), level.x, workers);
     level.a.backward(level.b, level.x, workers);
     return level.x;
 }

@@ -52,7 +52,7 @@ private:
     template <int size>
     static void move(Prolongator<size>& passage, std::span<const Body> parts,
                      std::span<const Body> bodies);
-    const std::vector<Record<6>>& cycle(std::size_t level, Workers& workers);
+    const std::vector<Record<6>>& cycle(std::size_t number, Workers& workers);
 
     std::vector<std::unique_ptr<Level>> levels_;
     Csr neighbours_;
