@@ -2,6 +2,7 @@
 
 #include "../link_sweeps.h"
 #include "../multifrontal.h"
+#include "../smoothed_aggregation.h"
 #include "free_pieces.h"
 #include "nucleus.h"
 #include "set_roles.h"
@@ -48,9 +49,16 @@ public:
             start.push_back(state.position(v));
             pinned.push_back(state.particles[v].w == Real(0));
         }
+        if (padding > largestFactored) {
+            multigrid_ = std::make_unique<SmoothedAggregation>(edges, pinned);
+            solution_ =
+                static_cast<long>(multigrid_->multiplications(cycles) / multiplicationsOfALink);
+            places_.resize(start.size());
+            return;
+        }
         factors_ = std::make_unique<Multifrontal>(start, edges, pinned,
                                                   MultifrontalOptions{.kernels = options.kernels});
-        factorisation_ = static_cast<long>(factors_->multiplications() / multiplicationsOfALink);
+        solution_ = static_cast<long>(factors_->multiplications() / multiplicationsOfALink);
     }
 
     void begin(const State<Real>& state) override { free_.noteVelocities(state); }
@@ -79,6 +87,9 @@ public:
 private:
     // k h^2 over the lighter mass of a link, to begin with.
     static constexpr double stiffest = 5e5;
+    // Vertices up to which factoring the matrix takes no longer than cycles of multigrid, and how
+    // many of these a sheet cannot tell from it: README.md has the measurements.
+    static constexpr int largestFactored = 100'000, cycles = 4;
 
     // A link as the matrix has it.
     struct Pull {
@@ -158,7 +169,8 @@ private:
     bool solve(WholeSubstep<Real>& s, double ratio) {
         linearise(s, ratio);
         for (std::size_t v = 0; v < step_.size(); ++v) step_[v] = as<float>(right_[v]);
-        work_ += factorisation_;
+        work_ += solution_;
+        if (multigrid_) return approximate(s);
         if (factors_->factorAndSolve(vertexBlocks_, edgeBlocks_, step_, s.workers).frozen > 0)
             return false;
         constexpr double sharp = 1.0 / 64, blurred = 1.0 / 4;
@@ -168,6 +180,13 @@ private:
             if (correction < sharp) break;
         }
         return true;
+    }
+
+    bool approximate(WholeSubstep<Real>& s) {
+        for (std::size_t v = 0; v < places_.size(); ++v)
+            places_[v] = s.state.position(static_cast<int>(v));
+        multigrid_->setUp(vertexBlocks_, edgeBlocks_, places_, s.workers);
+        return multigrid_->solve(step_, cycles, s.workers) < 1.0 / 4;
     }
 
     void linearise(WholeSubstep<Real>& s, double ratio) {
@@ -303,14 +322,16 @@ private:
     FreePieces<Real> free_;
     std::unique_ptr<LinkSweeps<Real>> sweeps_;
     std::unique_ptr<Multifrontal> factors_;
-    std::vector<Vec<Real>> goal_;     // y, as d
-    std::vector<Vec<double>> right_;  // N, by vertex
+    std::unique_ptr<SmoothedAggregation> multigrid_;  // in its place, of many vertices
+    std::vector<Vec<double>> places_;                 // m, by vertex; of these only
+    std::vector<Vec<Real>> goal_;                     // y, as d
+    std::vector<Vec<double>> right_;                  // N, by vertex
     std::vector<Vec<float>> step_, left_;
     std::vector<int> touching_;  // vertices, by contact
     std::vector<Pull> pulls_;    // by link, then by contact
     std::vector<Symmetric<float>> vertexBlocks_, edgeBlocks_;
     Terms<Real> terms_;
-    long factorisation_ = 0, work_ = 0;
+    long solution_ = 0, work_ = 0;
 };
 
 }  // namespace

@@ -10,7 +10,8 @@
 // u is the direction of the link, l its length, alpha its compliance; k sets how fast C falls and
 // not where to, and is as large as float bears. The second term of H is what a taut thread has
 // against being turned; without it a sheet of rigid links is stiff in no direction that matters.
-// All of it is solved at once (multifrontal.h).
+// All of it is solved at once (multifrontal.h), or, of more than a hundred thousand vertices,
+// nearly (smoothed_aggregation.h).
 //
 // What turns far in a step comes out too long. So XPBD sweeps over all links go before and after,
 // and more of them over those that are still off, with the rings of neighbours around them.
@@ -23,8 +24,8 @@
 // force.
 //
 // The condition of the matrix is about ten times k h^2 / m. What rounding leaves of the equations
-// is solved for again; where that corrects the step by a quarter, or a pivot is lost, the matrix is
-// made anew with a quarter of k.
+// is solved for again; where that corrects the step by a quarter, or a pivot is lost, or a quarter
+// of the residual is left, the matrix is made anew with a quarter of k.
 #pragma once
 
 #include "whole_step.h"
