@@ -150,9 +150,11 @@ TEST_CASE("contacts: pairs looked for long ago are those looked for now", "[cont
 }
 
 // Two fly one behind the other and keep their distance; if the one ahead is stopped, the other one
-// passes it, and neither is where nobody had thought it would be.
+// passes it, though neither is where it was not foreseen to be at some time.
 TEST_CASE("contacts: what is stopped on its way may be met by what is not", "[contacts]") {
-    const SimplicialComplex complex(6, {.triangles = {{0, 1, 2}, {3, 4, 5}}});
+    Simplices cells;
+    cells.triangles = {{0, 1, 2}, {3, 4, 5}};
+    const SimplicialComplex complex(6, cells);
     Points x;
     for (const double ahead : {0.0, 0.5})
         for (const Vec<double>& corner : {Vec<double>{0, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}})
