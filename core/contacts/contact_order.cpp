@@ -1,11 +1,10 @@
-// In which order contacts are gone through, and which of them.
+// In which order contacts are gone through.
 #include "contact_set.h"
 
 #include <algorithm>
 #include <bit>
 #include <numeric>
 #include <span>
-#include <utility>
 
 namespace plait {
 
@@ -60,41 +59,16 @@ void ContactSet<Real>::colour() {
     }
 }
 
-// Finds the contacts between which no plane is. A palindrome meets the same ones on its way back.
-template <class Real>
-void ContactSet<Real>::arouse(const Sweep<Real>& sweep, Workers& workers) {
-    constexpr int grain = 1024;
-    const int count = static_cast<int>(watches_.size()), parts = (count + grain - 1) / grain;
-    if (stirring_.size() < std::size_t(parts)) stirring_.resize(parts);
-    workers.forBlocks(parts, 1, [&](int begin, int end) {
-        for (int p = begin; p < end; ++p) {
-            std::vector<int> list = std::move(stirring_[p]);  // threads would share its cache line
-            list.clear();
-            for (int n = p * grain; n < std::min(count, (p + 1) * grain); ++n)
-                if (!clear(sweep, watches_[n])) list.push_back(n);
-            stirring_[p] = std::move(list);
-        }
-    });
-    awake_.clear();
-    for (int p = 0; p < parts; ++p)
-        awake_.insert(awake_.end(), stirring_[p].begin(), stirring_[p].end());
-}
-
 template <class Real>
 void ContactSet<Real>::project(const Sweep<Real>& sweep, Direction direction, Workers& workers) {
     if (!ready_) prepare(sweep, workers);
-    const bool back = direction == Direction::backward && returns_;
-    if (!back) arouse(sweep, workers);
-    returns_ = !back;
-    const auto placeOf = [&](int contact) {
-        return static_cast<int>(std::ranges::lower_bound(awake_, contact) - awake_.begin());
-    };
     for (int i = 0; i <= colorLimit; ++i) {
         const int c = direction == Direction::forward ? i : colorLimit - i;
-        const int first = placeOf(colors_[c]), count = placeOf(colors_[c + 1]) - first;
-        const int block = c == colorLimit ? count : 16;
+        const int first = colors_[c], count = colors_[c + 1] - first;
+        const int block = c == colorLimit ? count : 64;
         workers.forBlocks(count, block, [&](int begin, int end) {
-            for (const int n : std::span(awake_).subspan(first + begin, end - begin)) {
+            for (int n = first + begin; n < first + end; ++n) {
+                if (clear(sweep, watches_[n])) continue;
                 part(sweep, contacts_[n]);
                 watches_[n] = contacts_[n].watch;
                 if (contacts_[n].push != 0) watches_[n].first = 0;

@@ -78,7 +78,7 @@ void ContactSet<Real>::begin(const Substep& substep, Workers&) {
     contacts_.clear();
     crossing_.clear();
     bent_.clear();
-    ready_ = returns_ = false;
+    ready_ = false;
 }
 
 template <class Real>

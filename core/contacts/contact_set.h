@@ -93,7 +93,6 @@ private:
     void bend(const Sweep<Real>& sweep, const State<Real>& state);
     void sortParts();
     void colour();
-    void arouse(const Sweep<Real>& sweep, Workers& workers);
     PairPoints startOf(const Pairing& pair) const;
     PairPoints endOf(const Sweep<Real>& sweep, const Pairing& pair) const;
     Touch touch(const Contact& contact, const PairPoints& start, const PairPoints& end) const;
@@ -124,9 +123,6 @@ private:
     std::vector<Contact*> ordered_;             // all of them
     std::vector<int> places_;                   // in ordered_, by kind and first vertex
     std::vector<std::uint64_t> taken_;          // colours at each vertex
-    std::vector<std::vector<int>> stirring_;    // parts of awake_
-    std::vector<int> awake_;                    // contacts that no plane answers for
-    bool returns_ = false;                      // the way back over the same ones is to come
     double slack_;                              // m, that contacts reach beyond their gap
     double widest_;                             // m, the largest thickness, as wide as it counts
     double h_ = 0;                              // s
