@@ -143,7 +143,7 @@ TEST_CASE("smoothed aggregation: solves what a factor solves", "[multigrid]") {
     };
     check("grid", sheet(33, 21).fill(1, 0.1));
     check("irregular mesh", irregular(40, 31, 2).fill(2, 0.1));
-    check("irregular disc", rigidLinks(bumpy(round(20)), 1e3F, 0.05F, 3));
+    check("bent disc", rigidLinks(bumpy(round(20)), 1e3F, 0.05F, 3));
     check("chain", chain(300).fill(4, 1));
     check("tangle with loops", tangle(150, 400, 5).fill(5, 1));
     check("pieces and single vertices",
