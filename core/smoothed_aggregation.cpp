@@ -230,7 +230,8 @@ double SmoothedAggregation::solve(std::span<Vec<float>> x, int iterations, Worke
     }
     std::fill(x.begin(), x.end(), Vec<float>{0, 0, 0});
     for (int i = 0; i < nodes; ++i) x[on.vertexOf[i]] = {on.x[i][0], on.x[i][1], on.x[i][2]};
-    return first > 0 ? std::sqrt(std::max(rz, 0.0) / first) : 0;
+    if (rz == 0) return 0;
+    return rz > 0 && first > 0 ? std::sqrt(rz / first) : 1;
 }
 
 double SmoothedAggregation::multiplications(int iterations) const {

@@ -35,7 +35,8 @@ public:
 
     // Puts what `iterations` find in the place of the right-hand side, by vertex; 0 for pinned
     // ones. Returns what the last of them found left of the residual, in the norm of a cycle, as a
-    // part of what it was. The same bits for any number of threads; nothing is allocated.
+    // part of what it was; 1 where a cycle is not positive, or not a number. The same bits for any
+    // number of threads; nothing is allocated.
     double solve(std::span<Vec<float>> x, int iterations, Workers& workers);
 
     // Multiplications of both.

@@ -244,10 +244,15 @@ TEST_CASE("smoothed aggregation: the same bits from all threads", "[multigrid][t
     }
 }
 
-TEST_CASE("smoothed aggregation: numbers that are none end as none", "[multigrid]") {
+TEST_CASE("smoothed aggregation: numbers that are none are told", "[multigrid]") {
     System system = sheet(9, 9).fill(1, 1);
     system.edgeBlocks[7].xx = std::numeric_limits<float>::quiet_NaN();
-    for (const Vec<float>& x : cycled(system, 6)) CHECK(x == Vec<float>{0, 0, 0});
+    SmoothedAggregation cycles(system.edges, system.pinned);
+    Workers one(1);
+    cycles.setUp(system.vertexBlocks, system.edgeBlocks, system.rest, one);
+    Vectors x = system.b;
+    CHECK(cycles.solve(x, 6, one) == 1);
+    for (const Vec<float>& step : x) CHECK(step == Vec<float>{0, 0, 0});
     CHECK_THROWS_AS(SmoothedAggregation(std::vector<int>{0, 5}, std::vector<unsigned char>(3)),
                     std::invalid_argument);
 }
