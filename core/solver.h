@@ -103,6 +103,7 @@ private:
     std::vector<Pins> pins_;
     std::vector<Padded<Real>> sums_;     // of corrections, for smoothing
     std::vector<std::uint8_t> touched_;  // by a one-sided constraint, for BDF2's fall-back
+    std::vector<std::uint8_t> struck_;   // by what the method took for an impact, likewise
     std::vector<int> contacts_;          // sets, by order
     SubstepPlan plan_;
     int column_ = 0;

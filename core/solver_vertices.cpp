@@ -140,6 +140,7 @@ void Solver<Real>::setUpState(const World& world) {
                         &state_.air, &sums_})
         array->resize(all, Padded<Real>{});
     touched_.resize(all, 0);
+    struck_.resize(all, 0);
     for (std::size_t i = 0; i < n; ++i) {
         const double mass = world.mass[i];
         Particle<Real>& p = state_.particles[i];
@@ -216,19 +217,22 @@ void Solver<Real>::movePins(double f) {
 }
 
 // Velocities and, with them, positions: X <- X + d, and what rounding leaves stays in d.
-// Under BDF2 a vertex that was pushed and would accelerate beyond the limit takes the first-order
-// velocity, and a past that continues it, so that no bounce is extrapolated (V) [IN20]. The
-// past is damped as well: BDF2 would extrapolate the loss, and lose half as much again.
+// Under BDF2 a vertex that was pushed and would accelerate beyond the limit, or that the method has
+// found struck, takes the first-order velocity, and a past that continues it, so that no bounce is
+// extrapolated (V) [IN20]. The past is damped as well: BDF2 would extrapolate the loss, and lose half
+// as much again.
 template <class Real>
 void Solver<Real>::update(bool second) {
     const bool given = whole_ && whole_->setsVelocities();
     const bool bdf2 = options_.integrator == Integrator::bdf2;
     const bool fallsBack = second && std::isfinite(options_.maxAcceleration);
-    if (fallsBack) {
+    if (second) {
         std::fill(touched_.begin(), touched_.end(), std::uint8_t{0});
-        for (const auto& set : sets_) set->markTouched(touched_);
-        if (whole_) whole_->markTouched(touched_);
+        std::fill(struck_.begin(), struck_.end(), std::uint8_t{0});
     }
+    if (fallsBack)
+        for (const auto& set : sets_) set->markTouched(touched_);
+    if (second && whole_) whole_->markStruck(state_, struck_);
     const Real h = static_cast<Real>(h_);
     const Real most = static_cast<Real>(options_.maxAcceleration * h_);
     const Real lost = static_cast<Real>(1 - power(1 - options_.damping, 24 * h_));
@@ -242,7 +246,7 @@ void Solver<Real>::update(bool second) {
                 // (3 x - 4 x1 + x2) / 2 h, as differences of neighbours: no digits cancel [IN17].
                 const Four<Real> earlier = before - four(state_.last[i].v);
                 const Four<Real> v2 = (step + Real(0.5) * (step - earlier)) / h;
-                const bool back = fallsBack && touched_[i] && lengthOf<Real>(v2 - old) > most;
+                const bool back = struck_[i] || (touched_[i] && lengthOf<Real>(v2 - old) > most);
                 if (back) past = v;
                 if (!back) v = v2;
             }

@@ -29,7 +29,7 @@ public:
     void join(const Terms<Real>& terms) {
         const auto arity = static_cast<std::size_t>(terms.arity);
         for (std::size_t i = 0; i < terms.ids.size(); ++i) {
-            root_[rootOf(terms.ids[i])] = rootOf(terms.ids[i - i % arity]);
+            root_[pieceOf(terms.ids[i])] = pieceOf(terms.ids[i - i % arity]);
             if (arity == 1) held_[terms.ids[i]] = true;
         }
     }
@@ -37,8 +37,8 @@ public:
     void find(const State<Real>& state) {
         std::map<int, std::vector<int>> all;
         for (int v = 0; v < static_cast<int>(root_.size()); ++v) {
-            all[rootOf(v)].push_back(v);
-            if (held_[v] || state.particles[v].w == Real(0)) held_[rootOf(v)] = true;
+            all[pieceOf(v)].push_back(v);
+            if (held_[v] || state.particles[v].w == Real(0)) held_[pieceOf(v)] = true;
         }
         for (auto& [root, vertices] : all)
             if (!held_[root] && vertices.size() > 1)
@@ -83,17 +83,18 @@ public:
         }
     }
 
+    // A vertex that stands for all that sets join with this one.
+    int pieceOf(int v) {
+        while (root_[v] != v) v = root_[v] = root_[root_[v]];
+        return v;
+    }
+
 private:
     struct Piece {
         std::vector<int> vertices;
         Vec<double> unpushed;  // spin, kg m^2/s
         Vec<double> mean;      // m
     };
-
-    int rootOf(int v) {
-        while (root_[v] != v) v = root_[v] = root_[root_[v]];
-        return v;
-    }
 
     static double massOf(const State<Real>& state, int v) {
         return 1 / double(state.particles[v].w);

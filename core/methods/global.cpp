@@ -39,6 +39,7 @@ public:
         edgeBlocks_.resize(static_cast<std::size_t>(all.size()));
         state.tension.assign(edgeBlocks_.size() + touching_.size(), Real(0));
         pulls_.resize(state.tension.size());
+        bore_.resize(touching_.size());
         setUpVertices(state);
         std::vector<int> edges;
         for (int n = 0; n < all.size(); ++n)
@@ -67,6 +68,8 @@ public:
         work_ = 0;
         free_.noteMeans(s.state);
         readLinks(s);
+        for (std::size_t i = 0; i < touching_.size(); ++i)
+            bore_[i] = s.state.tension[edgeBlocks_.size() + i] < 0;
         for (std::size_t v = 0; v < goal_.size(); ++v) goal_[v] = s.state.particles[v].d;
         sweep(s, {.tolerance = 2e-2, .rings = 5, .sweeps = 30, .rounds = 8});
         for (int column = 0; column < s.columns; ++column) {
@@ -79,9 +82,15 @@ public:
         return work_;
     }
 
-    void markTouched(std::vector<std::uint8_t>& touched) const override {
+    // All of a piece, since links pass an impact on at once: where only the vertices that touch
+    // fell back, their neighbours bounced, and a sheet gained 3 J on a sphere.
+    void markStruck(const State<Real>& state, std::vector<std::uint8_t>& struck) override {
+        std::vector<bool> hit(struck.size(), false);
         for (std::size_t i = 0; i < touching_.size(); ++i)
-            touched[touching_[i]] |= pulls_[edgeBlocks_.size() + i].stiffness > 0;
+            if (!bore_[i] && state.tension[edgeBlocks_.size() + i] < 0)
+                hit[free_.pieceOf(touching_[i])] = true;
+        for (std::size_t v = 0; v < struck.size(); ++v)
+            struck[v] |= hit[free_.pieceOf(static_cast<int>(v))];
     }
 
 private:
@@ -328,6 +337,7 @@ private:
     std::vector<Vec<double>> right_;                  // N, by vertex
     std::vector<Vec<float>> step_, left_;
     std::vector<int> touching_;  // vertices, by contact
+    std::vector<bool> bore_;     // by contact: it pushed when the substep began
     std::vector<Pull> pulls_;    // by link, then by contact
     std::vector<Symmetric<float>> vertexBlocks_, edgeBlocks_;
     Terms<Real> terms_;

@@ -38,8 +38,9 @@ public:
     virtual void begin(const State<Real>& /*state*/) {}
     // Leaves d where the substep ends. Returns the counted work, in constraints evaluated.
     virtual long take(WholeSubstep<Real>& substep) = 0;
-    // Marks the vertices that a contact pushed in this substep, besides those that sets mark.
-    virtual void markTouched(std::vector<std::uint8_t>& /*touched*/) const {}
+    // Marks the vertices that an impact reached in this substep: they take velocities of first
+    // order, and a past that continues them.
+    virtual void markStruck(const State<Real>& /*state*/, std::vector<std::uint8_t>& /*struck*/) {}
     // True: it sets velocities as well, in place of (x - x1) / h.
     virtual bool setsVelocities() const { return false; }
 };
