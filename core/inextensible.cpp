@@ -2,6 +2,7 @@
 
 #include "stencils.h"
 #include "strands.h"
+#include "tethers.h"
 
 #include <algorithm>
 
