@@ -7,10 +7,11 @@
 // says at once what the fine links would say after many sweeps.
 #pragma once
 
+#include "aggregate_graph.h"
 #include "constraints/kinds.h"
 #include "rows.h"
-#include "ways.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -25,10 +26,49 @@ struct AggregateLevel {
 };
 
 // Levels from fine to coarse, each of about a quarter of the nodes of the one before, until fewer
-// than `fewest` that move are left. `mass` by vertex (infinite: pinned, kg), `rest` by vertex (m):
-// it decides only what merges. Vertices without a link are in no aggregate, and what stands in one
-// with a pinned vertex takes no coarse correction.
+// than `fewest` that move are left.
+class AggregatePlan {
+public:
+    // `mass` by vertex (infinite: pinned, kg), `rest` by vertex (m): it decides only what merges.
+    // Vertices without a link are in no aggregate, and what stands in one with a pinned vertex
+    // takes no coarse correction.
+    AggregatePlan(std::vector<double> mass, std::vector<Vec<double>> rest,
+                  std::span<const Link> links, int fewest);
+
+    // These links, by their vertices, hold no more. An aggregate that comes apart becomes one for
+    // each of its parts, were it a single vertex without a link. Bounds are made anew where one of
+    // the two is no longer what it was, or where a way along a link that has changed may have
+    // counted. All else stays as it is, to the bit.
+    void cut(std::span<const std::array<int, 2>> links);
+
+    std::vector<AggregateLevel> levels() const;
+    // Nodes on ways looked at, and pairs bounded, by the constructor or the last cut.
+    long visited() const { return visited_; }
+
+private:
+    // What a level has to follow: nodes that are new or not what they were, and links of another
+    // length, infinite where there is none any more.
+    struct Change {
+        std::vector<int> nodes;
+        std::vector<Link> links;
+    };
+    struct Near;
+
+    Change follow(std::size_t level, const Change& change);
+    Near nearTo(std::size_t level, const Change& change);
+    std::vector<int> regroup(std::size_t level, const Change& change);
+    int addGroup(std::size_t level, int twin);
+
+    std::vector<AggregateGraph> graphs_;   // one more than there are levels
+    std::vector<AggregateGroups> groups_;  // by level, of the nodes of its finer graph
+    long visited_ = 0;
+};
+
+// Rigid ones, whatever the compliance.
+std::vector<Link> linksOf(const Rows<Stretch>& set);
+
+// Those of links that nothing cuts.
 std::vector<AggregateLevel> aggregate(std::vector<double> mass, std::vector<Vec<double>> rest,
-                                      std::vector<Link> links, int fewest);
+                                      std::span<const Link> links, int fewest);
 
 }  // namespace plait

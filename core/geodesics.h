@@ -21,6 +21,8 @@ namespace plait {
 
 class Geodesics {
 public:
+    class Light;  // light.h
+
     // Of the edges and triangles that lie wholly in `range`; `rest` by vertex, m.
     Geodesics(const SimplicialComplex& complex, Range range, std::span<const Vec<double>> rest);
 
@@ -32,9 +34,17 @@ public:
     // By vertex of the complex. Throws std::invalid_argument for a source that is not in it.
     std::vector<Way> from(std::span<const int> sources) const;
 
-private:
-    class Light;
+    // What a cut takes out of a surface.
+    struct Cut {
+        std::vector<int> edges;      // of the complex
+        std::vector<int> triangles;  // those on them, in a numbering of this class's own
+    };
+    // Of these edges, those that are here and not yet taken; ascending.
+    Cut cutOf(std::span<const int> edges) const;
+    // No way leads along these edges any more, nor across these triangles.
+    void take(const Cut& cut);
 
+private:
     struct Point {
         double x, y;
     };
@@ -52,11 +62,14 @@ private:
     };
 
     std::vector<Entry> entries_;
-    Csr beyond_;   // by entry: the entries of other triangles across the same side
-    Csr corners_;  // by vertex: entries whose apex it is
-    Csr edges_;    // by vertex: into steps_
-    std::vector<Step> steps_;
-    std::vector<bool> bends_;  // by vertex: a shortest way may turn there
+    Csr beyond_;                // by entry: the entries of other triangles across the same side
+    Csr corners_;               // by vertex: entries whose apex it is
+    Csr edges_;                 // by vertex: into steps_
+    Csr sides_;                 // by edge of the complex: entries across it
+    std::vector<Step> steps_;   // both ways of an edge, one after the other
+    std::vector<int> stepsOf_;  // by edge of the complex: the first of the two, -1 for none
+    std::vector<bool> taken_;   // by triangle
+    std::vector<bool> bends_;   // by vertex: a shortest way may turn there
 };
 
 }  // namespace plait

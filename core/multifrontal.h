@@ -26,7 +26,9 @@ struct Factored {
 // The matrix is the sum of a block for each vertex and, for each edge,
 //      H -H
 //     -H  H
-// on the rows of its ends: what a spring with the stiffness H adds. A pinned vertex has no rows.
+// on the rows of its ends: what a spring with the stiffness H adds. A pinned vertex has no rows. An
+// edge that holds no more is a block of zeros: the analysis, which asks only where blocks may be,
+// stays valid when a mesh is cut.
 // The same bits for any number of threads and any kernels; nothing is allocated after the first
 // factorisation with as many threads.
 class Multifrontal {

@@ -1,10 +1,6 @@
 #include "stencils.h"
 
-#include "geodesics.h"
-
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 
 namespace plait {
 namespace {
@@ -21,32 +17,6 @@ void append(std::vector<int>& ids, const Simplex& simplex, Range range) {
 
 double area(const Vec<double>& a, const Vec<double>& b, const Vec<double>& c) {
     return length(cross(b - a, c - a)) / 2;
-}
-
-// Anchors that edges join, together: a hoist is one.
-std::vector<std::vector<int>> groupsOf(const SimplicialComplex& complex,
-                                       std::span<const int> anchors) {
-    std::vector<bool> waits(static_cast<std::size_t>(complex.count(0)), false);
-    for (const int v : anchors) {
-        if (v < 0 || v >= complex.count(0))
-            throw std::invalid_argument("tethers: there is no vertex " + std::to_string(v));
-        waits[static_cast<std::size_t>(v)] = true;
-    }
-    const Csr ring = complex.oneRing();
-    std::vector<std::vector<int>> groups;
-    for (const int anchor : anchors) {
-        if (!waits[static_cast<std::size_t>(anchor)]) continue;
-        waits[static_cast<std::size_t>(anchor)] = false;
-        std::vector<int> group{anchor};
-        for (std::size_t i = 0; i < group.size(); ++i)
-            for (const int v : ring[group[i]])
-                if (waits[static_cast<std::size_t>(v)]) {
-                    waits[static_cast<std::size_t>(v)] = false;
-                    group.push_back(v);
-                }
-        groups.push_back(std::move(group));
-    }
-    return groups;
 }
 
 }  // namespace
@@ -104,24 +74,6 @@ std::vector<int> pointStencils(Range range) {
     std::vector<int> ids;
     for (int v = range.first; v < range.last; ++v) ids.push_back(v);
     return ids;
-}
-
-Tethers tethersOf(const SimplicialComplex& complex, Range range, std::span<const Vec<double>> rest,
-                  std::span<const int> anchors) {
-    const Geodesics ways(complex, range, rest);
-    Tethers tethers;
-    for (const std::vector<int>& group : groupsOf(complex, anchors)) {
-        const std::vector<Geodesics::Way> from = ways.from(group);
-        for (int v = range.first; v < range.last; ++v) {
-            const auto& [length, anchor] = from[static_cast<std::size_t>(v)];
-            if (anchor < 0 || std::find(anchors.begin(), anchors.end(), v) != anchors.end())
-                continue;
-            tethers.set.ids.push_back(v);
-            tethers.set.rows.push_back({rest[static_cast<std::size_t>(anchor)], length});
-            tethers.anchors.push_back(anchor);
-        }
-    }
-    return tethers;
 }
 
 Rows<Bend> bendRows(const SimplicialComplex& complex, Range range,

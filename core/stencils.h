@@ -19,18 +19,6 @@ std::vector<int> jointStencils(const SimplicialComplex& complex, Range range);
 std::vector<int> hingeStencils(const SimplicialComplex& complex, Range range);  // 4, for Bend
 std::vector<int> pointStencils(Range range);                                    // 1, for contacts
 
-struct Tethers {
-    Rows<Tether> set;          // with the anchors where `rest` has them
-    std::vector<int> anchors;  // the vertex that each row is tied to
-};
-
-// The furthest that a sheet whose triangles keep their lengths lets each vertex be from `anchors`:
-// what it holds anyway, said at once. Anchors that edges join count as one, of which the nearest is
-// meant; every such group gives each vertex that a way leads to a row, anchors excepted. Throws
-// std::invalid_argument for an anchor that is not there.
-Tethers tethersOf(const SimplicialComplex& complex, Range range, std::span<const Vec<double>> rest,
-                  std::span<const int> anchors);
-
 // Bending of a sheet of flexural rigidity D (N m): energy D |e|^2 / (2 (A1 + A2)) (theta - rest)^2
 // a hinge, A1 and A2 its triangles' areas (discrete shells, Grinspun et al. 2003, without their
 // factor 3: so scaled, a grid bent to a cylinder along its edges has the plate's energy D / 2 R^2

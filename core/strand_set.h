@@ -25,6 +25,10 @@ public:
     // `rest` by vertex, m; one vertex more is a vertex without mass that nothing else uses. Throws
     // std::invalid_argument for rows that move and for links that buckle or do not act.
     StrandSet(const Rows<Stretch>& set, std::span<const Vec<double>> rest, KernelChoice choice)
+        : StrandSet(set, strandsOf(set.ids, rest), static_cast<int>(rest.size()), choice) {}
+    // `strands` of all links, those of a colour from long to short; `padding` is that vertex.
+    StrandSet(const Rows<Stretch>& set, std::span<const Strand> strands, int padding,
+              KernelChoice choice)
         : kernels_(strandKernels<Real>(choice)), set_(set) {
         if (set.animate) throw std::invalid_argument("strands: rest lengths cannot move");
         for (const auto& row : set.rows)
@@ -32,7 +36,6 @@ public:
                 throw std::invalid_argument("strands: links cannot buckle");
             else if (row.compliance >= slack)
                 throw std::invalid_argument("strands: every link must act");
-        const std::vector<Strand> strands = strandsOf(set.ids, rest);
         int colors = 0;
         for (const Strand& strand : strands) colors = std::max(colors, strand.color + 1);
         for (int color = 0; color < colors; ++color) {
@@ -42,8 +45,7 @@ public:
             const int begin = static_cast<int>(shares_.size());
             for (std::size_t i = 0; i < members.size(); i += blockSize) {
                 const std::size_t count = std::min<std::size_t>(blockSize, members.size() - i);
-                blocks_.emplace_back(set, std::span(members).subspan(i, count),
-                                     static_cast<int>(rest.size()));
+                blocks_.emplace_back(set, std::span(members).subspan(i, count), padding);
                 // Half a block, where the lanes allow it: a flag has few blocks to deal out.
                 const int share = std::max(blockSize / 2, choice.lanes);
                 for (int n = 0; n < static_cast<int>(count); n += share)

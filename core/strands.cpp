@@ -120,6 +120,14 @@ void color(std::vector<Strand>& strands, std::size_t vertices) {
     }
 }
 
+// So that blocks of them are of nearly one length.
+void putLongFirst(std::vector<Strand>& strands) {
+    std::sort(strands.begin(), strands.end(), [](const Strand& a, const Strand& b) {
+        return a.links.size() != b.links.size() ? a.links.size() > b.links.size()
+                                                : a.links.front() < b.links.front();
+    });
+}
+
 }  // namespace
 
 std::vector<Strand> strandsOf(std::span<const int> links, std::span<const Vec<double>> rest) {
@@ -138,13 +146,26 @@ std::vector<Strand> strandsOf(std::span<const int> links, std::span<const Vec<do
         extend(strand, l, 1, links, next, taken, last);
         strands.push_back(std::move(strand));
     }
-    // Long ones first, so that blocks of them are of nearly one length.
-    std::sort(strands.begin(), strands.end(), [](const Strand& a, const Strand& b) {
-        return a.links.size() != b.links.size() ? a.links.size() > b.links.size()
-                                                : a.links.front() < b.links.front();
-    });
+    putLongFirst(strands);
     color(strands, rest.size());
     return strands;
+}
+
+std::vector<Strand> partsOf(std::span<const Strand> strands, const std::vector<bool>& gone) {
+    std::vector<int> number;
+    int left = 0;
+    for (const bool link : gone) number.push_back(link ? -1 : left++);
+    std::vector<Strand> parts;
+    for (const Strand& strand : strands)
+        for (std::size_t k = 0; k < strand.links.size(); ++k) {
+            if (gone[strand.links[k]]) continue;
+            if (k == 0 || gone[strand.links[k - 1]])
+                parts.push_back({{strand.vertices[k]}, {}, strand.color});
+            parts.back().links.push_back(number[strand.links[k]]);
+            parts.back().vertices.push_back(strand.vertices[k + 1]);
+        }
+    putLongFirst(parts);
+    return parts;
 }
 
 }  // namespace plait

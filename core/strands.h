@@ -19,4 +19,8 @@ struct Strand {
 // within 60 degrees of straight by the positions `rest`, as many and as straight as can be.
 std::vector<Strand> strandsOf(std::span<const int> links, std::span<const Vec<double>> rest);
 
+// What is left of strands when some links are gone (by link): each part of one goes on in its
+// colour, which the whole had to itself. Links are numbered anew, as those left are in order.
+std::vector<Strand> partsOf(std::span<const Strand> strands, const std::vector<bool>& gone);
+
 }  // namespace plait

@@ -3,21 +3,38 @@
 #include <limits>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 namespace plait {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Ways::Ways(int nodes, std::span<const Link> links)
-    : start_(nodes + 1, 0), distance_(nodes, infinity), source_(nodes, -1) {
-    for (const Link& link : links) ++start_[link.a + 1], ++start_[link.b + 1];
-    for (int n = 0; n < nodes; ++n) start_[n + 1] += start_[n];
-    neighbours_.resize(2 * links.size());
-    std::vector<int> end(start_.begin(), start_.end() - 1);
+    : neighbours_(nodes), distance_(nodes, infinity), source_(nodes, -1) {
     for (const Link& link : links) {
-        neighbours_[end[link.a]++] = {link.b, link.length};
-        neighbours_[end[link.b]++] = {link.a, link.length};
+        neighbours_[link.a].push_back({link.b, link.length});
+        neighbours_[link.b].push_back({link.a, link.length});
     }
+}
+
+double Ways::link(int a, int b) const {
+    for (const Neighbour& next : around(a))
+        if (next.node == b) return next.length;
+    return infinity;
+}
+
+void Ways::change(const Link& link) {
+    for (const auto& [from, to] : {std::pair{link.a, link.b}, {link.b, link.a}}) {
+        std::vector<Neighbour>& around = neighbours_[from];
+        std::erase_if(around, [&](const Neighbour& next) { return next.node == to; });
+        if (link.length < infinity) around.push_back({to, link.length});
+    }
+}
+
+void Ways::addNode() {
+    neighbours_.emplace_back();
+    distance_.push_back(infinity);
+    source_.push_back(-1);
 }
 
 // Dijkstra (1959).

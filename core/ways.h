@@ -26,13 +26,16 @@ public:
         int node;
         double length;
     };
-    std::span<const Neighbour> around(int node) const {
-        return std::span(neighbours_).subspan(start_[node], start_[node + 1] - start_[node]);
-    }
+    std::span<const Neighbour> around(int node) const { return neighbours_[node]; }
+
+    // Infinity where no link joins them.
+    double link(int a, int b) const;
+    // Gives the link a length; with infinity there is none.
+    void change(const Link& link);
+    void addNode();
 
 private:
-    std::vector<int> start_;
-    std::vector<Neighbour> neighbours_;
+    std::vector<std::vector<Neighbour>> neighbours_;
     std::vector<double> distance_;
     std::vector<int> source_, touched_;
 };

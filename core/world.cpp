@@ -96,22 +96,43 @@ void World::strand(const Rows<Stretch>& set, SetOptions options) {
     constrain(recipeOf<Constraint>(make), std::move(options));
 }
 
+void World::strand(const Rows<Stretch>& set, std::vector<Strand> strands, SetOptions options) {
+    const auto make = [set, strings = std::move(strands), name = options.name]<class Real>(
+                          const World& world,
+                          KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
+        checkStencils(name, set.ids, 2, set.rows.size(), set.colors, world.start.size());
+        checkNumbers(name, numbersOf(set));
+        const int padding = static_cast<int>(world.start.size());
+        return std::make_unique<StrandSet<Real>>(set, strings, padding, kernels);
+    };
+    constrain(recipeOf<Constraint>(make), std::move(options));
+}
+
 void World::aggregate(const Rows<Stretch>& set, SetOptions options, int fewest) {
     const auto make = [set, fewest, name = options.name]<class Real>(
                           const World& world,
                           KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
         checkStencils(name, set.ids, 2, set.rows.size(), set.colors, world.start.size());
         checkNumbers(name, numbersOf(set));
-        std::vector<double> masses = world.mass;
-        for (std::size_t i = 0; i < masses.size(); ++i)
-            if (world.pinned[i]) masses[i] = std::numeric_limits<double>::infinity();
-        std::vector<Link> links;
-        for (std::size_t i = 0; i < set.rows.size(); ++i)
-            links.push_back({set.ids[2 * i], set.ids[2 * i + 1], set.rows[i].rest});
         return std::make_unique<AggregateSet<Real>>(
-            plait::aggregate(std::move(masses), world.rest, std::move(links), fewest), kernels);
+            plait::aggregate(world.effectiveMass(), world.rest, linksOf(set), fewest), kernels);
     };
     constrain(recipeOf<Constraint>(make), std::move(options));
+}
+
+void World::aggregate(std::vector<AggregateLevel> levels, SetOptions options) {
+    const auto make = [ready = std::move(levels)]<class Real>(
+                          const World&, KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
+        return std::make_unique<AggregateSet<Real>>(ready, kernels);
+    };
+    constrain(recipeOf<Constraint>(make), std::move(options));
+}
+
+std::vector<double> World::effectiveMass() const {
+    std::vector<double> masses = mass;
+    for (std::size_t i = 0; i < masses.size(); ++i)
+        if (pinned[i]) masses[i] = std::numeric_limits<double>::infinity();
+    return masses;
 }
 
 void World::mend(const Rows<Stretch>& set, SetOptions options, const Mending& mending) {

@@ -112,9 +112,13 @@ struct World {
 
     // These links strung to strands, each solved at once, in lanes (strand_set.h).
     void strand(const Rows<Stretch>& set, SetOptions options);
+    void strand(const Rows<Stretch>& set, std::vector<Strand> strands, SetOptions options);
     // Coarse levels of these links (aggregate_set.h), down to `fewest` aggregates that move. Links
     // count as rigid, whatever their compliance.
     void aggregate(const Rows<Stretch>& set, SetOptions options, int fewest = 16);
+    void aggregate(std::vector<AggregateLevel> levels, SetOptions options);
+    // By vertex, kg; infinite where pinned.
+    std::vector<double> effectiveMass() const;
     // Those of these links that a column leaves too long, mended (mend_set.h).
     void mend(const Rows<Stretch>& set, SetOptions options, const Mending& mending = {});
 

@@ -7,6 +7,7 @@
 #include "report.h"
 #include "sheet.h"
 #include "shells.h"
+#include "tethers.h"
 
 #include <limits>
 #include <numbers>

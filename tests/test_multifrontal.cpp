@@ -83,6 +83,38 @@ TEST_CASE("multifrontal: edges given twice add up", "[multifrontal]") {
     checkAgainstEigen("every edge twice", system.fill(1, 0.1));
 }
 
+// Through the middle, so that two pieces are left, and here and there.
+TEST_CASE("multifrontal: a link that is cut is a block of zeros", "[multifrontal]") {
+    System system = irregular(20, 15, 1).fill(1, 0.1);
+    Multifrontal factors(system.rest, system.edges, system.pinned);
+    Workers one(1);
+    factors.factor(system.vertexBlocks, system.edgeBlocks, one);
+    System left = system;
+    left.edges.clear(), left.edgeBlocks.clear();
+    for (std::size_t e = 0; e < system.edgeBlocks.size(); ++e) {
+        const int a = system.edges[2 * e], b = system.edges[2 * e + 1];
+        if ((a < 150) != (b < 150) || e % 17 == 0) {
+            system.edgeBlocks[e] = {0, 0, 0, 0, 0, 0};
+        } else {
+            left.edges.insert(left.edges.end(), {a, b});
+            left.edgeBlocks.push_back(system.edgeBlocks[e]);
+        }
+    }
+    checkAgainstEigen("cut", system);
+    const Factored factored = factors.factor(system.vertexBlocks, system.edgeBlocks, one);
+    CHECK((factored.finite && factored.frozen == 0));
+    Vectors x = system.b;
+    factors.solve(x, one);
+    CHECK(same(x, solved(system).x));
+    const Vectors expected = solved(left).x;
+    float apart = 0, size = 0;
+    for (std::size_t v = 0; v < x.size(); ++v) {
+        apart = std::max(apart, length(x[v] - expected[v]));
+        size = std::max(size, length(x[v]));
+    }
+    CHECK(report("cut, and never there", apart / size, 1e-4));
+}
+
 TEST_CASE("multifrontal: the same bits from all threads and kernels", "[multifrontal][threads]") {
     System large = sheet(64, 64).fill(1, 1e-3);
     large.pinned[0] = large.pinned[63] = 1;
