@@ -219,8 +219,8 @@ void Solver<Real>::movePins(double f) {
 // Velocities and, with them, positions: X <- X + d, and what rounding leaves stays in d.
 // Under BDF2 a vertex that was pushed and would accelerate beyond the limit, or that the method has
 // found struck, takes the first-order velocity, and a past that continues it, so that no bounce is
-// extrapolated (V) [IN20]. The past is damped as well: BDF2 would extrapolate the loss, and lose half
-// as much again.
+// extrapolated (V) [IN20]. The past is damped as well: BDF2 would extrapolate the loss, and lose
+// half as much again.
 template <class Real>
 void Solver<Real>::update(bool second) {
     const bool given = whole_ && whole_->setsVelocities();
