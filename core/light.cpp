@@ -82,7 +82,9 @@ void Geodesics::Light::enter(const Window& w) {
     if (dark_) return loseLight(w);
     if (!touched_.empty() && (!isTouched_[w.entry / 3] || isLit(w))) return;
     const double side = surface_.entries_[w.entry].length;
-    if (!(w.end - w.begin > 0) || !(-w.light.y > alike * side) || !helps(w)) return;
+    if (!(w.end - w.begin > (touched_.empty() ? 0 : alike * side)) ||
+        !(-w.light.y > alike * side) || !helps(w))
+        return;
     // Beside one that still waits, from the same light: the two halves of one.
     int& last = waiting_[w.entry];
     if (last >= 0) {
@@ -92,6 +94,7 @@ void Geodesics::Light::enter(const Window& w) {
             other.begin < w.end + near && w.begin < other.end + near) {
             other.begin = std::min(other.begin, w.begin);
             other.end = std::max(other.end, w.end);
+            other.before = std::min(other.before, w.before);  // a vertex may be left twice
             adopt(last);
             return;
         }
@@ -151,9 +154,10 @@ void Geodesics::Light::pass(int number) {
                              (1 + shorter) * (known + distance(e.at, {x, 0}));
     };
     const int t = w.entry / 3, j = w.entry % 3;
-    if (w.begin < middle && !overApex(w.begin))
+    const double blur = dark_ ? near : 0;
+    if (w.begin < middle + blur && !overApex(w.begin))
         aim(w, 3 * t + (j + 2) % 3, {0, 0}, e.from, w.begin, std::min(middle, w.end), middle);
-    if (w.end > middle && !overApex(w.end))
+    if (w.end > middle - blur && !overApex(w.end))
         aim(w, 3 * t + (j + 1) % 3, {e.length, 0}, e.to, w.end, std::max(middle, w.begin), middle);
 }
 

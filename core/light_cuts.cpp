@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace plait {
 
@@ -67,9 +68,11 @@ void Geodesics::Light::loseLight(const Window& w) {
         }
 }
 
-// Shadows of a window grow together: what is between them is dark as well.
+// Shadows of a window grow together: what is between them is dark as well. Windows may be as narrow
+// as rounding makes them, and darkness must not pass by them.
 void Geodesics::Light::shade(int window, double begin, double end) {
-    if (begin > end) return;
+    if (begin > end + alike * surface_.entries_[windows_[window].entry].length) return;
+    if (begin > end) std::swap(begin, end);
     const auto [at, fresh] = shadows_.try_emplace(window, Shadow{begin, end, true});
     Shadow& shadow = at->second;
     if (!fresh && begin >= shadow.begin && end <= shadow.end) return;
@@ -117,29 +120,27 @@ bool Geodesics::Light::isLit(const Window& w) {
     for (int c = childrenOf(parent_); c >= 0; c = children_[c].next)
         for (int n = children_[c].window; n >= 0; n = windows_[n].rest) {
             const Window& lit = windows_[n];
-            if (lit.entry == w.entry && lit.begin < w.begin + near && lit.end > w.end - near)
+            if (lit.entry == w.entry && lit.before <= w.before && lit.begin < w.begin + near &&
+                lit.end > w.end - near)
                 return true;
         }
     return false;
 }
 
+// What darkness put out or kept out stands in triangles that it touched: light is put out only
+// by ways to the vertices of its side, and around dark ones all is touched.
 void Geodesics::Light::relight() {
-    std::vector<int> triangles = touched_, vertices;
+    std::vector<int> vertices;
     for (const int t : touched_)
         for (const int entry : {3 * t, 3 * t + 1, 3 * t + 2}) {
             vertices.push_back(surface_.entries_[entry].apex);
-            for (const int in : surface_.beyond_[entry]) triangles.push_back(in / 3);
+            for (int n = firstOf(entry); n >= 0; n = windows_[n].previous)
+                queue(n, windows_[n].begin, windows_[n].end);
         }
     for (const int v : darkened_)
         for (const int step : surface_.edges_[v]) vertices.push_back(surface_.steps_[step].vertex);
-    for (std::vector<int>* list : {&triangles, &vertices}) {
-        std::sort(list->begin(), list->end());
-        list->erase(std::unique(list->begin(), list->end()), list->end());
-    }
-    for (const int t : triangles)
-        for (const int entry : {3 * t, 3 * t + 1, 3 * t + 2})
-            for (int n = firstOf(entry); n >= 0; n = windows_[n].previous)
-                queue(n, windows_[n].begin, windows_[n].end);
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     for (const int v : vertices)
         if (ways_[v].length < infinity) open_.emplace(ways_[v].length, ++order_, v, -1);
     spread();

@@ -87,6 +87,38 @@ TEST_CASE("cuts: tethers are as long as those of a mesh that was cut from the st
     }
 }
 
+// Small enough that there are many: of 15 million such lengths none was off by 1e-9.
+TEST_CASE("cuts: tethers of any mesh, after any cuts", "[inextensible][cuts]") {
+    Excess worst;
+    for (int trial = 0; trial < 200; ++trial) {
+        Random random(trial);
+        const int n = 5 + random.below(12);
+        Shape shape = trial % 4 < 2 ? square(n) : disordered(n);
+        if (trial % 4 == 1) shape = wound(shape);
+        if (trial % 4 == 3)
+            for (Vec<double>& x : shape.positions) x += random.point(0.1 / n);
+        std::vector<std::vector<int>> cuts;
+        for (int step = random.below(8); step >= 0; --step) {
+            const int at = random.below(n), from = random.below(n), to = random.below(n);
+            const bool column = random.below(2);
+            if (random.below(3))
+                cuts.push_back(someEdges(shape.complex, 1 + random.below(6), random));
+            else
+                cuts.push_back(across(
+                    shape.complex, [=](int v) { return (column ? v % n : v / n) < at; },
+                    [=](int v) {
+                        const int along = column ? v / n : v % n;
+                        return along >= from && along <= to;
+                    }));
+        }
+        const Excess excess = excessAfter(shape, {random.below(n * n)}, cuts);
+        worst.least = std::min(worst.least, excess.least);
+        worst.most = std::max(worst.most, excess.most);
+    }
+    CHECK(report("shorter by", -worst.least, 1e-9));
+    CHECK(report("longer by", worst.most, 1e-9));
+}
+
 TEST_CASE("cuts: what is cut off from its pins has no tethers, and what is not of the sheet no cut",
           "[inextensible][cuts]") {
     constexpr int n = 12;
@@ -167,6 +199,7 @@ void checkLevels(const std::vector<AggregateLevel>& levels, const std::vector<Li
                 return true;
             });
             CHECK(reached == groups.members[a].size());
+            CHECK(reached <= 8);
         }
         if (all(mass) < infinity) CHECK(std::fabs(all(level.mass) / all(mass) - 1) < 1e-12);
         AggregateGraph coarse{level.mass, Points(count),
@@ -228,7 +261,7 @@ TEST_CASE("cuts: aggregates hang together, and their bounds hold", "[inextensibl
         };
         std::vector<std::vector<int>> cuts{someEdges(complex, 1, random), column(n / 2 + 1, n / 2),
                                            someEdges(complex, 60, random), column(7, n),
-                                           someEdges(complex, 300, random)};
+                                           someEdges(complex, 900, random)};
         for (const std::vector<int>& edges : cuts) {
             std::vector<std::array<int, 2>> ends;
             for (const int e : edges) cut[e] = true, ends.push_back(complex.edge(e));
