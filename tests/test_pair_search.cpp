@@ -149,6 +149,55 @@ TEST_CASE("contacts: pairs looked for long ago are those looked for now", "[cont
     CHECK(differing == 0);
 }
 
+// Against all pairs there are, while they turn and fly so far that straight ways seen from a frame
+// that turns with them are bent by more than what is near.
+TEST_CASE("contacts: pairs are those of all that come near while they whirl", "[contacts]") {
+    Random random(5);
+    constexpr int triangles = 40;
+    Simplices cells;
+    for (int t = 0; t < triangles; ++t) cells.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    const SimplicialComplex complex(3 * triangles, cells);
+    Workers workers(1);
+    long pairs = 0, differing = 0;
+    for (int trial = 0; trial < 60; ++trial) {
+        const double angle = random.uniform(0, 1.5);
+        const Vec<double> shift = random.point(1);
+        Points start, end;
+        for (int t = 0; t < triangles; ++t) {
+            const Vec<double> middle = random.point(0.5);
+            for (int i = 0; i < 3; ++i) start.push_back(middle + random.point(0.05));
+        }
+        for (const Vec<double>& x : start)
+            end.push_back(shift + random.point(0.05) +
+                          Vec<double>{std::cos(angle) * x.x - std::sin(angle) * x.y,
+                                      std::sin(angle) * x.x + std::cos(angle) * x.y, x.z});
+        std::vector<std::tuple<int, std::array<int, 4>>> expected;
+        const auto add = [&](const Pairing& pair) {
+            PairPoints from, to;
+            for (std::size_t i = 0; i < 4; ++i)
+                from[i] = start[pair.vertices[i]], to[i] = end[pair.vertices[i]];
+            if (comesWithin(reach, pair, nearest(pair, from), from, to))
+                expected.emplace_back(pair.first, pair.vertices);
+        };
+        for (int v = 0; v < 3 * triangles; ++v)
+            for (int t = 0; t < triangles; ++t)
+                if (v / 3 != t) add({{v, 3 * t, 3 * t + 1, 3 * t + 2}, 1, 3});
+        for (int e = 0; e < complex.count(1); ++e)
+            for (int f = e + 1; f < complex.count(1); ++f) {
+                const auto a = complex.vertices(1, e), b = complex.vertices(1, f);
+                if (a[0] / 3 != b[0] / 3) add({{a[0], a[1], b[0], b[1]}, 2, 2});
+            }
+        std::ranges::sort(expected);
+        PairSearch search = searchOf(complex, 0.01);
+        search.cover(start, end, slack, workers);
+        pairs += static_cast<long>(expected.size());
+        differing += chosen(search, start, end, workers) != expected;
+    }
+    note("pairs", static_cast<double>(pairs));
+    CHECK(pairs > 1000);
+    CHECK(differing == 0);
+}
+
 // Two fly one behind the other and keep their distance; if the one ahead is stopped, the other one
 // passes it, though neither is where it was not foreseen to be at some time.
 TEST_CASE("contacts: what is stopped on its way may be met by what is not", "[contacts]") {

@@ -49,9 +49,14 @@ template <class Real>
 void ContactSet<Real>::cross(const Sweep<Real>& sweep, Workers& workers) {
     locate(sweep, workers);
     if (asForeseen(workers)) {
-        parts_.resize(std::max(parts_.size(), std::size_t(1)));
+        constexpr int block = 1024;
+        parts_.resize(std::max(parts_.size(), std::size_t(foreseen_ / block + 1)));
         for (auto& part : parts_) part.clear();
-        for (int i = 0; i < foreseen_; ++i) check(contacts_[i].pair, parts_[0]);
+        workers.forBlocks(foreseen_ / block + 1, 1, [&](int begin, int end) {
+            for (int b = begin; b < end; ++b)
+                for (int i = b * block; i < std::min((b + 1) * block, foreseen_); ++i)
+                    check(contacts_[i].pair, parts_[b]);
+        });
     } else {
         counts_.searches += search_.cover(start_, end_, slack_, workers);
         search_.collect(

@@ -51,6 +51,8 @@ void ContactSet<Real>::colour() {
     std::partial_sum(colors_.begin(), colors_.end(), colors_.begin());
     contacts_.resize(ordered_.size());
     watches_.resize(ordered_.size());
+    near_.resize(ordered_.size());
+    evaluation_ = 0;
     auto next = colors_;
     for (const Contact* const c : ordered_) {
         const int n = next[c->color]++;
@@ -59,20 +61,39 @@ void ContactSet<Real>::colour() {
     }
 }
 
+// In every fourth evaluation all of them, in between those that were not clear when all were last
+// looked at: most never come to be.
 template <class Real>
 void ContactSet<Real>::project(const Sweep<Real>& sweep, Direction direction, Workers& workers) {
     if (!ready_) prepare(sweep, workers);
+    const bool all = evaluation_ < 4 || evaluation_ % 4 == 3;
+    ++evaluation_;
+    looked_ = 0;
+    // Whether it was not clear.
+    const auto look = [&](int n) {
+        if (clear(sweep, watches_[n])) return false;
+        part(sweep, contacts_[n]);
+        watches_[n] = contacts_[n].watch;
+        if (contacts_[n].push != 0) watches_[n].first = 0;
+        return true;
+    };
     for (int i = 0; i <= colorLimit; ++i) {
         const int c = direction == Direction::forward ? i : colorLimit - i;
         const int first = colors_[c], count = colors_[c + 1] - first;
         const int block = c == colorLimit ? count : 64;
         workers.forBlocks(count, block, [&](int begin, int end) {
-            for (int n = first + begin; n < first + end; ++n) {
-                if (clear(sweep, watches_[n])) continue;
-                part(sweep, contacts_[n]);
-                watches_[n] = contacts_[n].watch;
-                if (contacts_[n].push != 0) watches_[n].first = 0;
+            const auto near = std::span(near_).subspan(std::size_t(first + begin),
+                                                       static_cast<std::size_t>(end - begin));
+            std::size_t seen = 0;
+            if (all) {
+                for (int n = first + begin; n < first + end; ++n)
+                    if (look(n)) near[seen++] = n;
+                if (seen < near.size()) near[seen] = -1;
+                seen = near.size();
+            } else {
+                for (; seen < near.size() && near[seen] >= 0; ++seen) look(near[seen]);
             }
+            looked_ += static_cast<long>(seen);
         });
     }
 }

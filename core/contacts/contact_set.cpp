@@ -156,7 +156,7 @@ void ContactSet<Real>::prepare(const Sweep<Real>& sweep, Workers& workers) {
                     [&](const Pairing& pair, std::vector<Contact>& list) { consider(pair, list); });
     sortParts();
     colour();
-    counts_.contacts = std::max(counts_.contacts, size());
+    counts_.contacts = std::max(counts_.contacts, static_cast<long>(contacts_.size()));
     foreseen_ = static_cast<int>(contacts_.size());
     heading_ = end_;
     ready_ = true;

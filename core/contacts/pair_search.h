@@ -88,7 +88,7 @@ private:
                     Workers& workers) const;
     bool known(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                Workers& workers);
-    float marginFor(double travel) const;
+    float marginFor(double travel, double most) const;
     void sweep(std::span<const Vec<double>> start, std::span<const Vec<double>> end, double slack,
                Workers& workers);
     void search(std::span<const Vec<double>> start, std::span<const Vec<double>> end, double slack,
@@ -109,7 +109,7 @@ private:
     std::vector<double> thickness_;
     std::vector<unsigned char> pinned_;
     std::vector<int> members_;  // vertices of all surfaces
-    double margin_;             // m, at most
+    double margin_;             // m; a quarter of the most
     std::vector<float> used_;   // m, of that, by vertex
     Group groups_[2][kinds];    // what moves, and what is pinned throughout
     std::vector<Meeting> meetings_;
