@@ -82,8 +82,7 @@ void ContactSet<Real>::project(const Sweep<Real>& sweep, Direction direction, Wo
         const int first = colors_[c], count = colors_[c + 1] - first;
         const int block = c == colorLimit ? count : 64;
         workers.forBlocks(count, block, [&](int begin, int end) {
-            const auto near = std::span(near_).subspan(std::size_t(first + begin),
-                                                       static_cast<std::size_t>(end - begin));
+            const std::span near(near_.data() + first + begin, near_.data() + first + end);
             std::size_t seen = 0;
             if (all) {
                 for (int n = first + begin; n < first + end; ++n)
