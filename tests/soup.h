@@ -27,6 +27,17 @@ struct Soup {
                                   {start, end, radius, origin});
         };
     }
+    // Apart where they start and where they end.
+    template <int k>
+    auto movingBounds() const {
+        return [this](int i) {
+            const auto at = [&](const std::vector<Vec<double>>& x) {
+                return sweptBounds<k>(std::span(ids).subspan(3 * std::size_t(i), 3),
+                                      {x, x, radius, origin});
+            };
+            return MovingKDop<k>{at(start), at(end)};
+        };
+    }
     void add(const std::array<Vec<double>, 3>& from, const std::array<Vec<double>, 3>& to) {
         for (int c = 0; c < 3; ++c) {
             ids.push_back(static_cast<int>(start.size()));

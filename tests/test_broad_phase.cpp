@@ -192,6 +192,25 @@ void holdBounds() {
         }
 }
 
+// Those of which corners are within their radii of each other at one time or another.
+Pairs meetings(const Soup& s) {
+    Pairs pairs;
+    for (int a = 0; a < s.count(); ++a)
+        for (int b = a + 1; b < s.count(); ++b) {
+            bool met = false;
+            for (int c = 0; c < 9 && !met; ++c)
+                for (int step = 0; step <= 16 && !met; ++step) {
+                    const auto at = [&](int i) {
+                        const int v = s.ids[i];
+                        return s.start[v] + step / 16.0 * (s.end[v] - s.start[v]);
+                    };
+                    met = length(at(3 * a + c / 3) - at(3 * b + c % 3)) < 1.999 * s.radius;
+                }
+            if (met) pairs.push_back({a, b});
+        }
+    return pairs;
+}
+
 }  // namespace
 
 TEST_CASE("broad phase: bounds hold what is swept, and little more [BP5]", "[broadphase]") {
@@ -302,5 +321,30 @@ TEST_CASE("broad phase: the same list for any number of threads", "[broadphase][
                 CHECK((!list.empty() && list == lists[i]));
             }
         }
+    }
+}
+
+// Seen where they start and where they end, what moves alike is apart: a crowd that flies past is
+// no more work than one that stands.
+TEST_CASE("broad phase: bounds that move", "[broadphase]") {
+    Workers workers(2);
+    for (Soup s : soups(400)) {
+        INFO(s.name);
+        Candidates found;
+        const auto pairs = [&] {
+            BoundsTree<MovingKDop<14>>(s.count(), s.movingBounds<14>(), workers)
+                .selfPairs(found, workers);
+            return sorted(found);
+        };
+        CHECK(std::ranges::includes(treePairs<14>(s), pairs()));
+        CHECK(std::ranges::includes(pairs(), meetings(s)));
+        if (s.name != "swept") continue;
+        const std::size_t slow = pairs().size();
+        for (Vec<double>& x : s.end) x += {1, 0.5, 0.7};
+        test::note("standing", static_cast<double>(slow));
+        test::note("flying past, by ways swept", static_cast<double>(treePairs<14>(s).size()));
+        test::note("flying past, by both ends", static_cast<double>(pairs().size()));
+        CHECK(pairs().size() == slow);
+        CHECK(std::ranges::includes(pairs(), meetings(s)));
     }
 }

@@ -123,7 +123,7 @@ TEST_CASE("contacts: pairs looked for long ago are those looked for now", "[cont
     }
     const SimplicialComplex complex(3 * triangles, cells);
     Workers workers(1);
-    PairSearch old = searchOf(complex, 0.2);
+    PairSearch old = searchOf(complex, 0.05);
     long searches = 0, pairs = 0, differing = 0;
     for (int step = 0; step < 400; ++step) {
         if (step % 8 == 0) {
@@ -149,8 +149,7 @@ TEST_CASE("contacts: pairs looked for long ago are those looked for now", "[cont
     CHECK(differing == 0);
 }
 
-// Against all pairs there are, while they turn and fly so far that straight ways seen from a frame
-// that turns with them are bent by more than what is near.
+// Against all pairs there are, while they turn and fly further than they are apart.
 TEST_CASE("contacts: pairs are those of all that come near while they whirl", "[contacts]") {
     Random random(5);
     constexpr int triangles = 40;
@@ -223,4 +222,42 @@ TEST_CASE("contacts: what is stopped on its way may be met by what is not", "[co
         CHECK(expected.size() == 15);
         CHECK(chosen(search, from, to, workers) == expected);
     }
+}
+
+// Each flies its own way, straight but for a jitter: pairs are looked for in every fourth substep.
+TEST_CASE("contacts: pairs are foreseen for some substeps", "[contacts]") {
+    constexpr int triangles = 60, steps = 40;
+    constexpr double margin = 0.01;
+    Random random(3);
+    Simplices cells;
+    Points from, velocity;
+    for (int t = 0; t < triangles; ++t) {
+        cells.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+        const Vec<double> middle = random.point(0.4), way = random.point(0.05);
+        for (int i = 0; i < 3; ++i) {
+            from.push_back(middle + random.point(0.05));
+            velocity.push_back(way + random.point(0.01));
+        }
+    }
+    const SimplicialComplex complex(3 * triangles, cells);
+    Workers workers(1);
+    PairSearch search = searchOf(complex, margin);
+    Points x = from;
+    long searches = 0, pairs = 0, differing = 0;
+    for (int step = 1; step <= steps; ++step) {
+        Points end;
+        for (std::size_t v = 0; v < x.size(); ++v)
+            end.push_back(from[v] + double(step) * velocity[v] + random.point(0.05 * margin));
+        searches += search.cover(x, end, slack, workers);
+        PairSearch fresh = searchOf(complex, margin);
+        fresh.cover(x, end, slack, workers);
+        const auto expected = chosen(fresh, x, end, workers);
+        pairs += static_cast<long>(expected.size());
+        differing += chosen(search, x, end, workers) != expected;
+        x = end;
+    }
+    note("pairs", static_cast<double>(pairs));
+    CHECK(searches == steps / 4);
+    CHECK(pairs > 1000);
+    CHECK(differing == 0);
 }

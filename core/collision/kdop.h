@@ -7,6 +7,7 @@
 
 #include <xmmintrin.h>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -49,6 +50,15 @@ struct KDop {
         return _mm_movemask_ps(apart) == 0;
     }
 
+    // Twice as far from the origin, and 0 along what is not finite.
+    Vec<float> centre() const {
+        const auto middle = [&](int i) {
+            const float sum = low[i] + high[i];
+            return std::isfinite(sum) ? sum : 0.0F;
+        };
+        return {middle(0), middle(1), middle(2)};
+    }
+
 private:
     static KDop filled(float a) {
         KDop bounds;
@@ -56,6 +66,34 @@ private:
         std::fill_n(bounds.high, slabs, -a);
         return bounds;
     }
+};
+
+// Bounds of what moves along straight lines where it starts and where it ends. What a slab's
+// direction has in order at both ends, lowest against highest, it has in order all the way: what
+// moves alike does not meet, however far it goes.
+template <int k>
+struct MovingKDop {
+    KDop<k> start, end;
+
+    static MovingKDop nothing() { return {KDop<k>::nothing(), KDop<k>::nothing()}; }
+    void include(const MovingKDop& b) {
+        start.include(b.start);
+        end.include(b.end);
+    }
+    bool overlaps(const MovingKDop& b) const {
+        __m128 apart = _mm_setzero_ps();
+        const auto above = [&](const float* low, const float* high) {
+            return _mm_cmpgt_ps(_mm_load_ps(low), _mm_load_ps(high));
+        };
+        for (int i = 0; i < KDop<k>::padded; i += 4) {
+            apart = _mm_or_ps(apart, _mm_and_ps(above(start.low + i, b.start.high + i),
+                                                above(end.low + i, b.end.high + i)));
+            apart = _mm_or_ps(apart, _mm_and_ps(above(b.start.low + i, start.high + i),
+                                                above(b.end.low + i, end.high + i)));
+        }
+        return _mm_movemask_ps(apart) == 0;
+    }
+    Vec<float> centre() const { return start.centre(); }
 };
 
 namespace detail {

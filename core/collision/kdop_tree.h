@@ -1,31 +1,31 @@
-// A tree of k-DOPs round the primitives of a mesh: built once, refitted each substep (S 7, M 2.4).
+// A tree of bounds round the primitives of a mesh: built once, refitted each substep (S 7, M 2.4).
 #pragma once
 
 #include "candidates.h"
 #include "kdop.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
 namespace plait {
 
-// Primitives are numbered 0 .. count - 1; bound(i) gives the KDop<k> of one and is called from all
-// threads. Nothing is allocated after construction but what the list of candidates grows by.
-template <int k>
-class KDopTree {
+// Primitives are numbered 0 .. count - 1; bound(i) gives the Bounds of one (KDop, or MovingKDop)
+// and is called from all threads. Nothing is allocated after construction but what the list of
+// candidates grows by.
+template <class Bounds>
+class BoundsTree {
 public:
     // Halves the primitives at the median of their centres, along the axis on which these lie
     // furthest apart, down to a few. A sort's time.
     template <class Bound>
-    KDopTree(int count, const Bound& bound, Workers& workers)
+    BoundsTree(int count, const Bound& bound, Workers& workers)
         : items_(count), place_(count), bounds_(count) {
         while ((count >> depth_) > leafSize) ++depth_;
         nodes_.resize(std::size_t(2) << depth_);
         std::vector<Centre> centres(count);
         workers.forBlocks(count, 1024, [&](int begin, int end) {
-            for (int i = begin; i < end; ++i) centres[i] = {centreOf(bound(i)), i};
+            for (int i = begin; i < end; ++i) centres[i] = {bound(i).centre(), i};
         });
         for (int level = 0; level < depth_; ++level)
             workers.forBlocks(1 << level, 1, [&](int begin, int end) {
@@ -69,7 +69,7 @@ public:
 
     // The same for a of this tree and b of another.
     template <class Accept = AnyPair>
-    void pairs(const KDopTree& other, Candidates& found, Workers& workers,
+    void pairs(const BoundsTree& other, Candidates& found, Workers& workers,
                const Accept& accept = {}) const {
         found.collect(parts(), workers, [&](int part, Candidates::List& list) {
             across(parts() + part, other, 1, [&](int a, int b) {
@@ -101,14 +101,6 @@ private:
     // Subtrees that are worked on in parallel: as many for any number of threads.
     int parts() const { return 1 << std::min(depth_, partsDepth); }
 
-    static Vec<float> centreOf(const KDop<k>& b) {
-        const auto middle = [&](int i) {
-            const float sum = b.low[i] + b.high[i];
-            return std::isfinite(sum) ? sum : 0.0F;
-        };
-        return {middle(0), middle(1), middle(2)};
-    }
-
     void halve(std::vector<Centre>& centres, int level, int node) const {
         const auto at = centres.begin();
         const int begin = first(level, node), end = first(level, node + 1);
@@ -139,7 +131,7 @@ private:
             fit(2 * n + 1);
             return join(n);
         }
-        nodes_[n] = KDop<k>::nothing();
+        nodes_[n] = Bounds::nothing();
         for (auto [i, end] = rangeOf(n); i < end; ++i) nodes_[n].include(bounds_[i]);
     }
 
@@ -158,7 +150,7 @@ private:
 
     // Node n with node m of the other tree; the shallower one is opened first.
     template <class Add>
-    void across(int n, const KDopTree& other, int m, const Add& add) const {
+    void across(int n, const BoundsTree& other, int m, const Add& add) const {
         if (!nodes_[n].overlaps(other.nodes_[m])) return;
         if (!isLeaf(n) && (n < m || other.isLeaf(m))) {
             across(2 * n, other, m, add);
@@ -179,8 +171,11 @@ private:
 
     int depth_ = 0;
     std::vector<int> items_, place_;  // from leaf to leaf, and where each is among them
-    std::vector<KDop<k>> bounds_;     // of items_
-    std::vector<KDop<k>> nodes_;      // nodes_[0] is unused
+    std::vector<Bounds> bounds_;      // of items_
+    std::vector<Bounds> nodes_;       // nodes_[0] is unused
 };
+
+template <int k>
+using KDopTree = BoundsTree<KDop<k>>;
 
 }  // namespace plait

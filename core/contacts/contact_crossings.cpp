@@ -55,7 +55,7 @@ void ContactSet<Real>::cross(const Sweep<Real>& sweep, Workers& workers) {
         workers.forBlocks(foreseen_ / block + 1, 1, [&](int begin, int end) {
             for (int b = begin; b < end; ++b)
                 for (int i = b * block; i < std::min((b + 1) * block, foreseen_); ++i)
-                    check(contacts_[i].pair, parts_[b]);
+                    if (!clear(sweep, watches_[i])) check(contacts_[i].pair, parts_[b]);
         });
     } else {
         counts_.searches += search_.cover(start_, end_, slack_, workers);

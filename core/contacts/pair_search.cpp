@@ -87,14 +87,21 @@ double PairSearch::reachOf(int vertex) const {
     return thickness_[vertex] * (of.self == Self::none ? 1 : std::max(1.0, of.selfWidth));
 }
 
+// Where a vertex was to be so many substeps after pairs were looked for.
+Vec<double> PairSearch::foreseen(int v, int substeps) const {
+    const double share = double(std::min(substeps, foresight)) / foresight;
+    return moved_(from_[v] + share * (to_[v] - from_[v]));
+}
+
 bool PairSearch::asForeseen(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                             Workers& workers) const {
     std::atomic<bool> all{true};
     workers.forBlocks(static_cast<int>(members_.size()), 1024, [&](int first, int last) {
         for (int i = first; i < last; ++i) {
             const int v = members_[i];
-            const Vec<double> a = start[v] - moved_(from_[v]), b = end[v] - moved_(to_[v]);
-            const double most = double(used_[v]) * double(used_[v]);
+            const Vec<double> a = start[v] - foreseen(v, passed_);
+            const Vec<double> b = end[v] - foreseen(v, passed_ + 1);
+            const double most = margin_ * margin_;
             if (!(dot(a, a) <= most && dot(b, b) <= most)) all = false;
         }
     });
@@ -103,25 +110,27 @@ bool PairSearch::asForeseen(std::span<const Vec<double>> start, std::span<const 
 
 bool PairSearch::cover(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                        double slack, Workers& workers) {
-    place(start, end, workers);
     const bool same = known(start, end, workers);
     if (!same) search(start, end, slack, workers);
+    place(start, end, workers);
     follow(start, end, workers);
     return !same;
 }
 
-// Either all are on the ways foreseen, or all have arrived: where of two one has and the other was
-// stopped, nothing is known of them. Distances are the same after any rigid motion, so any serves;
-// what stands on a wide floor may stay within the margin of none.
+// All must be where they were to be at one and the same time, in this substep, in the next, or once
+// all stay: of two of which one is on its way and the other was stopped nothing is known. Distances
+// are the same after any rigid motion, so any serves; what stands on a wide floor may stay within
+// the margin of none.
 bool PairSearch::known(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                        Workers& workers) {
     if (from_.empty()) return false;
-    for (const bool arrived : {false, true}) {
-        if (arrived) from_ = to_;
-        for (const Rigid& moved : {rigidMotion(from_, start, members_), Rigid{}}) {
-            moved_ = moved;
-            if (asForeseen(start, end, workers)) return true;
-        }
+    for (const int passed : {passed_, passed_ + 1, foresight}) {
+        passed_ = std::min(passed, foresight);
+        moved_ = {};
+        if (asForeseen(start, end, workers)) return true;
+        for (const int v : members_) due_[v] = foreseen(v, passed_);
+        moved_ = rigidMotion(due_, start, members_);
+        if (asForeseen(start, end, workers)) return true;
     }
     return false;
 }
@@ -148,8 +157,8 @@ void PairSearch::follow(std::span<const Vec<double>> start, std::span<const Vec<
     workers.forBlocks(static_cast<int>(members_.size()), 1024, [&](int first, int last) {
         for (int i = first; i < last; ++i) {
             const int v = members_[i];
-            const double strayed =
-                std::max(length(start[v] - moved_(from_[v])), length(end[v] - moved_(to_[v])));
+            const double strayed = std::max(length(start[v] - foreseen(v, passed_)),
+                                            length(end[v] - foreseen(v, passed_ + 1)));
             strayed_[v] = static_cast<float>((1 + 1e-6) * strayed + 1e-12);
         }
     });
@@ -215,38 +224,25 @@ std::array<float, 4> PairSearch::nearing(const Meeting& m, std::span<const Liste
     return apart;
 }
 
-// As much as a vertex travels in some substeps; next to none where one travels so far that pairs
-// must be looked for again in the next. What whirls is far ahead of the rest.
-float PairSearch::marginFor(double travel, double most) const {
-    if (most > 4 * margin_) return static_cast<float>(0.1 * margin_);
-    return static_cast<float>(std::clamp(4 * travel, 0.5 * margin_, 4 * margin_));
-}
-
-// Bounds of what each vertex sweeps, seen from a frame that moves along as rigidly as all do best:
-// in it distances are the same and ways far shorter. There a straight way is bent, by an eighth of
-// its greatest acceleration at most. Those of a simplex are all of its vertices'. A thousandth
-// wider, since impacts may be told a little early.
-void PairSearch::sweep(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
-                       double slack, Workers& workers) {
-    const Rigid step = rigidMotion(start, end, members_);
-    const double angle = angleAtMost(step);
-    const auto travelOf = [&](int v) { return length(end[v] - step(start[v])); };
-    double most = 0;
-    for (const int v : members_) most = std::max(most, travelOf(v));
-    swept_.resize(start.size());
-    used_.resize(start.size());
+// Bounds of each vertex where it starts and where it is to be: those of a simplex are all of its
+// vertices'. A thousandth wider, since impacts may be told a little early.
+void PairSearch::foresee(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
+                         double slack, Workers& workers) {
+    from_.assign(start.begin(), start.end());
+    to_.resize(end.size());
+    due_.resize(end.size());
+    swept_.resize(end.size());
+    passed_ = 0;
+    moved_ = {};
     workers.forBlocks(static_cast<int>(members_.size()), 256, [&](int first, int last) {
         for (int i = first; i < last; ++i) {
             const int v = members_[i];
-            used_[v] = marginFor(travelOf(v), most);
-            const double radius = 1.001 * (reachOf(v) + 0.5 * slack + used_[v]);
-            const Vec<double> from = start[v] - step.from, to = end[v] - step.to;
-            const double bent =
-                angle * (angle * std::max(length(from), length(to)) + 2 * length(to - from)) / 8;
-            const std::array ends{start[v], step.back(end[v])};
-            constexpr std::array one{0};
-            swept_[v] = {sweptBounds<18>(one, {std::span(ends).first(1), std::span(ends).last(1),
-                                               1.001 * bent + radius, start[0]}),
+            to_[v] = start[v] + double(foresight) * (end[v] - start[v]);
+            const double radius = 1.001 * (reachOf(v) + 0.5 * slack + margin_);
+            const auto boundsAt = [&](std::span<const Vec<double>> x) {
+                return sweptBounds<slabs>(std::span(&v, 1), {x, x, radius, start[0]});
+            };
+            swept_[v] = {{boundsAt(start), boundsAt(to_)},
                          static_cast<float>((1 + 1e-6) * radius + 1e-12)};
         }
     });
@@ -254,10 +250,8 @@ void PairSearch::sweep(std::span<const Vec<double>> start, std::span<const Vec<d
 
 void PairSearch::search(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                         double slack, Workers& workers) {
-    from_.assign(start.begin(), start.end());
-    to_.assign(end.begin(), end.end());
-    moved_ = {};
-    sweep(start, end, slack, workers);
+    foresee(start, end, slack, workers);
+    place(from_, to_, workers);
     for (auto& side : groups_)
         for (Group& group : side) {
             if (group.count() == 0) continue;

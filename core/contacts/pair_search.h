@@ -23,9 +23,10 @@ public:
                std::span<const unsigned char> pinned, double margin);
 
     // Makes sure the list holds every pair that comes as near as its thicknesses and `slack` while
-    // all vertices move from start to end (m, by vertex). Looks for pairs only where a vertex has
-    // left the margin round the way it was foreseen to go when they were last looked for, or, once
-    // all have arrived, round where that ended, moved as rigidly as all have since; true if it did.
+    // all vertices move from start to end (m, by vertex). When pairs are looked for, all are
+    // foreseen to go on like this for some substeps, and then to stay. Looks for them again only
+    // when a vertex has left the margin round where it should be by now, moved as rigidly as all
+    // have since; true if it did.
     bool cover(std::span<const Vec<double>> start, std::span<const Vec<double>> end, double slack,
                Workers& workers);
 
@@ -48,9 +49,11 @@ public:
     }
 
 private:
-    static constexpr int part = 2048;  // pairs to a part
-    using Bounds = KDop<18>;
-    using Tree = KDopTree<18>;
+    static constexpr int part = 2048;    // pairs to a part
+    static constexpr int foresight = 4;  // substeps; what is longer ahead comes otherwise
+    static constexpr int slabs = 14;
+    using Bounds = MovingKDop<slabs>;
+    using Tree = BoundsTree<Bounds>;
 
     // Simplices of one dimension, a table of `arity` vertices each, in a tree of their own.
     struct Group {
@@ -84,13 +87,13 @@ private:
     void mayMeet(Kind a, Kind b, Self self);
     bool accepts(const Meeting& meeting, std::span<const int> a, std::span<const int> b) const;
     double reachOf(int vertex) const;
+    Vec<double> foreseen(int vertex, int substeps) const;
     bool asForeseen(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                     Workers& workers) const;
     bool known(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                Workers& workers);
-    float marginFor(double travel, double most) const;
-    void sweep(std::span<const Vec<double>> start, std::span<const Vec<double>> end, double slack,
-               Workers& workers);
+    void foresee(std::span<const Vec<double>> start, std::span<const Vec<double>> end, double slack,
+                 Workers& workers);
     void search(std::span<const Vec<double>> start, std::span<const Vec<double>> end, double slack,
                 Workers& workers);
     void sift(Meeting& meeting, Workers& workers);
@@ -109,13 +112,14 @@ private:
     std::vector<double> thickness_;
     std::vector<unsigned char> pinned_;
     std::vector<int> members_;  // vertices of all surfaces
-    double margin_;             // m; a quarter of the most
-    std::vector<float> used_;   // m, of that, by vertex
+    double margin_;             // m
     Group groups_[2][kinds];    // what moves, and what is pinned throughout
     std::vector<Meeting> meetings_;
-    // Where the vertices were, and were heading for, when pairs were last looked for; the latter
-    // twice, once all have arrived; and how all of them have moved since.
-    std::vector<Vec<double>> from_, to_;
+    // Where the vertices were when pairs were last looked for, and where they were to be after
+    // `foresight` substeps; how many have passed, at most all of these, and how all have moved
+    // rigidly against that.
+    std::vector<Vec<double>> from_, to_, due_;
+    int passed_ = 0;
     Rigid moved_;
     struct Swept {
         Bounds bounds;

@@ -55,12 +55,4 @@ Rigid rigidMotion(std::span<const Vec<double>> before, std::span<const Vec<doubl
     return motion;
 }
 
-// The matrix less 1 has the norm sqrt(8) sin(angle / 2), and the sine is at least 2 / pi of that.
-double angleAtMost(const Rigid& motion) {
-    const auto& [x, y, z] = motion.rows;
-    const Vec<double> a = x - Vec<double>{1, 0, 0}, b = y - Vec<double>{0, 1, 0},
-                      c = z - Vec<double>{0, 0, 1};
-    return 1.1108 * std::sqrt(dot(a, a) + dot(b, b) + dot(c, c));
-}
-
 }  // namespace plait

@@ -17,11 +17,6 @@ struct Rigid {
         const Vec<double> a = x - from;
         return to + Vec<double>{dot(rows[0], a), dot(rows[1], a), dot(rows[2], a)};
     }
-    // Where it takes here from.
-    Vec<double> back(const Vec<double>& x) const {
-        const Vec<double> a = x - to;
-        return from + a.x * rows[0] + a.y * rows[1] + a.z * rows[2];
-    }
 };
 
 // Near the best in the sense of least squares from `before` to `now`, for these vertices, and
@@ -29,8 +24,5 @@ struct Rigid {
 // extract the rotational part of deformations, 2016).
 Rigid rigidMotion(std::span<const Vec<double>> before, std::span<const Vec<double>> now,
                   std::span<const int> vertices);
-
-// How far it turns, in rad; up to 1.6 times as much.
-double angleAtMost(const Rigid& motion);
 
 }  // namespace plait

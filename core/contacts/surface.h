@@ -74,9 +74,8 @@ struct ContactOptions {
     bool disableFailed = false;
     double displacementLimit = 0;  // m that one contact moves a vertex in a substep at most,
                                    // across; 0: no limit [CC20]
-    double margin = 0;  // m of motion until pairs are looked for again: half of it for what rests,
-                        // four times it for what is fast; 0: a quarter of the mean edge, at least
-                        // the largest thickness
+    double margin = 0;  // m off the way a vertex was foreseen to go until pairs are looked for
+                        // again; 0: an eighth of the mean edge, at least half the largest thickness
 };
 
 struct World;
