@@ -3,6 +3,7 @@
 #include "bench/ccd.h"
 #include "bench/core.h"
 #include "bench/detection.h"
+#include "bench/drape.h"
 #include "bench/scene.h"
 #include "bench/sheet.h"
 #include "commands.h"
@@ -15,7 +16,8 @@ namespace {
 
 int bench(const Arguments& arguments) {
     const std::string what = arguments.operands.empty() ? "core" : arguments.operands[0];
-    std::vector<std::string> names{"core", "air", "ccd", "broadphase", "detection", "sheet"};
+    std::vector<std::string> names{"core",      "air",   "ccd",  "broadphase",
+                                   "detection", "sheet", "drape"};
     for (const SceneEntry& entry : scenes()) names.push_back(entry.name);
     switch (parseChoice("bench", what, names)) {
         case 0:
@@ -30,6 +32,8 @@ int bench(const Arguments& arguments) {
             return benchDetection();
         case 5:
             return benchSheet(requestedThreads(arguments));
+        case 6:
+            return benchDrape(requestedThreads(arguments));
         default:
             return benchScene(what, requestedThreads(arguments));
     }
@@ -38,15 +42,16 @@ int bench(const Arguments& arguments) {
 }  // namespace
 
 Command benchCommand() {
-    return {.name = "bench",
-            .operands = {"[core|air|ccd|broadphase|detection|sheet|SCENE]"},
-            .meaning =
-                "prints speeds: of a constraint, of the air, of collision queries, of the broad "
-                "phase, of looking for contacts, of sheets that do not stretch, or of a scene from "
-                "numbers to film",
-            .options = {threadsOption()},
-            .examples = {"bench core", "bench hanging-sheet"},
-            .run = bench};
+    return {
+        .name = "bench",
+        .operands = {"[core|air|ccd|broadphase|detection|sheet|drape|SCENE]"},
+        .meaning =
+            "prints speeds: of a constraint, of the air, of collision queries, of the broad "
+            "phase, of looking for contacts, of sheets that do not stretch, of one that falls on a "
+            "ball, or of a scene from numbers to film",
+        .options = {threadsOption()},
+        .examples = {"bench core", "bench hanging-sheet"},
+        .run = bench};
 }
 
 }  // namespace plait

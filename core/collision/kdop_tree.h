@@ -5,6 +5,7 @@
 #include "kdop.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -44,10 +45,20 @@ public:
         workers.forBlocks(count(), 256, [&](int begin, int end) {
             for (int i = begin; i < end; ++i) bounds_[place_[i]] = bound(i);
         });
-        workers.forBlocks(parts(), 1, [&](int begin, int end) {
-            for (int part = begin; part < end; ++part) fit(parts() + part);
-        });
-        for (int n = parts() - 1; n > 0; --n) join(n);
+        fitAll(workers);
+    }
+
+    // The same where only these have new ones.
+    template <class Bound>
+    void refit(std::span<const int> primitives, const Bound& bound, Workers& workers) {
+        for (const int i : primitives) bounds_[place_[i]] = bound(i);
+        fitAll(workers);
+    }
+
+    // Calls visit(i) for every primitive whose bounds overlap these.
+    template <class Visit>
+    void overlapping(const Bounds& bounds, const Visit& visit) const {
+        descend(1, bounds, visit);
     }
 
     // The pairs a < b of primitives whose bounds overlap and that accept(a, b); in the order of the
@@ -125,6 +136,13 @@ private:
         nodes_[n].include(nodes_[2 * n + 1]);
     }
 
+    void fitAll(Workers& workers) {
+        workers.forBlocks(parts(), 1, [&](int begin, int end) {
+            for (int part = begin; part < end; ++part) fit(parts() + part);
+        });
+        for (int n = parts() - 1; n > 0; --n) join(n);
+    }
+
     void fit(int n) {
         if (!isLeaf(n)) {
             fit(2 * n);
@@ -133,6 +151,17 @@ private:
         }
         nodes_[n] = Bounds::nothing();
         for (auto [i, end] = rangeOf(n); i < end; ++i) nodes_[n].include(bounds_[i]);
+    }
+
+    template <class Visit>
+    void descend(int n, const Bounds& bounds, const Visit& visit) const {
+        if (!nodes_[n].overlaps(bounds)) return;
+        if (!isLeaf(n)) {
+            descend(2 * n, bounds, visit);
+            return descend(2 * n + 1, bounds, visit);
+        }
+        for (auto [i, end] = rangeOf(n); i < end; ++i)
+            if (bounds_[i].overlaps(bounds)) visit(items_[i]);
     }
 
     template <class Add>

@@ -44,8 +44,7 @@ double widest(const std::vector<Surface>& surfaces) {
 }
 
 double marginOf(const World& world, const std::vector<Surface>& surfaces, double asked) {
-    return asked > 0 ? asked
-                     : std::max(0.125 * meanEdge(world, surfaces), 0.5 * thickest(surfaces));
+    return asked > 0 ? asked : std::max(0.2 * meanEdge(world, surfaces), 0.5 * thickest(surfaces));
 }
 
 }  // namespace

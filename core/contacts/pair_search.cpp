@@ -93,24 +93,28 @@ Vec<double> PairSearch::foreseen(int v, int substeps) const {
     return moved_(from_[v] + share * (to_[v] - from_[v]));
 }
 
-bool PairSearch::asForeseen(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
-                            Workers& workers) const {
-    std::atomic<bool> all{true};
+// Which vertices are not where they were to be; how many.
+long PairSearch::findAstray(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
+                            Workers& workers) {
+    std::atomic<long> sum{0};
     workers.forBlocks(static_cast<int>(members_.size()), 1024, [&](int first, int last) {
+        long count = 0;
         for (int i = first; i < last; ++i) {
             const int v = members_[i];
             const Vec<double> a = start[v] - foreseen(v, passed_);
             const Vec<double> b = end[v] - foreseen(v, passed_ + 1);
             const double most = margin_ * margin_;
-            if (!(dot(a, a) <= most && dot(b, b) <= most)) all = false;
+            astray_[v] = !(dot(a, a) <= most && dot(b, b) <= most);
+            count += astray_[v];
         }
+        sum += count;
     });
-    return all;
+    return sum;
 }
 
 bool PairSearch::cover(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                        double slack, Workers& workers) {
-    const bool same = known(start, end, workers);
+    const bool same = known(start, end, workers) || redirect(start, end, slack, workers);
     if (!same) search(start, end, slack, workers);
     place(start, end, workers);
     follow(start, end, workers);
@@ -120,18 +124,28 @@ bool PairSearch::cover(std::span<const Vec<double>> start, std::span<const Vec<d
 // All must be where they were to be at one and the same time, in this substep, in the next, or once
 // all stay: of two of which one is on its way and the other was stopped nothing is known. Distances
 // are the same after any rigid motion, so any serves; what stands on a wide floor may stay within
-// the margin of none.
+// the margin of none. If it is none of these, the one that fits most is left.
 bool PairSearch::known(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                        Workers& workers) {
     if (from_.empty()) return false;
-    for (const int passed : {passed_, passed_ + 1, foresight}) {
-        passed_ = std::min(passed, foresight);
+    long fewest = std::ssize(members_) + 1;
+    int passed = 0;
+    Rigid moved;
+    const auto fits = [&] {
+        const long count = findAstray(start, end, workers);
+        if (count < fewest) fewest = count, passed = passed_, moved = moved_;
+        return count == 0;
+    };
+    for (const int time : {passed_, passed_ + 1, foresight}) {
+        passed_ = std::min(time, foresight);
         moved_ = {};
-        if (asForeseen(start, end, workers)) return true;
+        if (fits()) return true;
         for (const int v : members_) due_[v] = foreseen(v, passed_);
         moved_ = rigidMotion(due_, start, members_);
-        if (asForeseen(start, end, workers)) return true;
+        if (fits()) return true;
     }
+    passed_ = passed;
+    moved_ = moved;
     return false;
 }
 
@@ -177,15 +191,17 @@ float PairSearch::strayed(std::span<const int> ids) const {
     return most;
 }
 
-// Keeps of what was found by its bounds, part by part, what is near enough.
+// Adds parts of what was found by its bounds and is near enough.
 void PairSearch::sift(Meeting& m, Workers& workers) {
     const auto pairs = m.found.pairs();
-    m.near.resize(pairs.size());
-    m.kept.resize(static_cast<std::size_t>(m.parts()));
-    workers.forBlocks(m.parts(), 1, [&](int begin, int end) {
+    const std::size_t before = m.kept.size();
+    const int parts = static_cast<int>((pairs.size() + part - 1) / part);
+    m.near.resize(before * part + pairs.size());
+    m.kept.resize(before + static_cast<std::size_t>(parts));
+    workers.forBlocks(parts, 1, [&](int begin, int end) {
         for (int b = begin; b < end; ++b) {
             const std::size_t first = std::size_t(b) * part;
-            std::size_t to = first;
+            std::size_t to = before * part + first;
             const auto block =
                 pairs.subspan(first, std::min(pairs.size() - first, std::size_t(part)));
             for (std::size_t i = 0; i < block.size(); i += 4) {
@@ -201,7 +217,7 @@ void PairSearch::sift(Meeting& m, Workers& workers) {
                     m.near[to++].apart = apart[k];
                 }
             }
-            m.kept[b] = static_cast<int>(to - first);
+            m.kept[before + b] = static_cast<int>(to - before * part - first);
         }
     });
 }
@@ -224,47 +240,48 @@ std::array<float, 4> PairSearch::nearing(const Meeting& m, std::span<const Liste
     return apart;
 }
 
-// Bounds of each vertex where it starts and where it is to be: those of a simplex are all of its
+// Bounds of a vertex where it is and where it is to be: those of a simplex are all of its
 // vertices'. A thousandth wider, since impacts may be told a little early.
-void PairSearch::foresee(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
-                         double slack, Workers& workers) {
-    from_.assign(start.begin(), start.end());
-    to_.resize(end.size());
-    due_.resize(end.size());
-    swept_.resize(end.size());
+void PairSearch::foresee(int v, const Vec<double>& from, const Vec<double>& to, double slack) {
+    from_[v] = from;
+    to_[v] = to;
+    const double radius = 1.001 * (reachOf(v) + 0.5 * slack + margin_);
+    const auto boundsAt = [&](const std::vector<Vec<double>>& x) {
+        return sweptBounds<slabs>(std::span(&v, 1), {x, x, radius, origin_});
+    };
+    swept_[v] = {{boundsAt(from_), boundsAt(to_)}, static_cast<float>((1 + 1e-6) * radius + 1e-12)};
+}
+
+PairSearch::Bounds PairSearch::boundsOf(std::span<const int> ids) const {
+    auto bounds = Bounds::nothing();
+    for (const int v : ids) bounds.include(swept_[v].bounds);
+    return bounds;
+}
+
+void PairSearch::search(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
+                        double slack, Workers& workers) {
+    for (auto* const x : {&from_, &to_, &due_}) x->resize(start.size());
+    swept_.resize(start.size());
+    astray_.resize(start.size());
+    origin_ = start[0];
     passed_ = 0;
     moved_ = {};
     workers.forBlocks(static_cast<int>(members_.size()), 256, [&](int first, int last) {
         for (int i = first; i < last; ++i) {
             const int v = members_[i];
-            to_[v] = start[v] + double(foresight) * (end[v] - start[v]);
-            const double radius = 1.001 * (reachOf(v) + 0.5 * slack + margin_);
-            const auto boundsAt = [&](std::span<const Vec<double>> x) {
-                return sweptBounds<slabs>(std::span(&v, 1), {x, x, radius, start[0]});
-            };
-            swept_[v] = {{boundsAt(start), boundsAt(to_)},
-                         static_cast<float>((1 + 1e-6) * radius + 1e-12)};
+            foresee(v, start[v], start[v] + double(foresight) * (end[v] - start[v]), slack);
         }
     });
-}
-
-void PairSearch::search(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
-                        double slack, Workers& workers) {
-    foresee(start, end, slack, workers);
     place(from_, to_, workers);
     for (auto& side : groups_)
         for (Group& group : side) {
             if (group.count() == 0) continue;
             group.reach.resize(static_cast<std::size_t>(group.count()));
             const auto bound = [&](int i) {
-                auto bounds = Bounds::nothing();
                 float reach = 0;
-                for (const int v : group.at(i)) {
-                    bounds.include(swept_[v].bounds);
-                    reach = std::max(reach, swept_[v].reach);
-                }
+                for (const int v : group.at(i)) reach = std::max(reach, swept_[v].reach);
                 group.reach[i] = reach;
-                return bounds;
+                return boundsOf(group.at(i));
             };
             if (group.tree)
                 group.tree->refit(bound, workers);
@@ -277,6 +294,7 @@ void PairSearch::search(std::span<const Vec<double>> start, std::span<const Vec<
             m.a->tree->selfPairs(m.found, workers, accept);
         else
             m.a->tree->pairs(*m.b->tree, m.found, workers, accept);
+        m.kept.clear();
         sift(m, workers);
     }
 }

@@ -10,6 +10,7 @@
 #include "rigid.h"
 #include "surface.h"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -24,9 +25,9 @@ public:
 
     // Makes sure the list holds every pair that comes as near as its thicknesses and `slack` while
     // all vertices move from start to end (m, by vertex). When pairs are looked for, all are
-    // foreseen to go on like this for some substeps, and then to stay. Looks for them again only
-    // when a vertex has left the margin round where it should be by now, moved as rigidly as all
-    // have since; true if it did.
+    // foreseen to go on like this for some substeps, and then to stay. A vertex that has left the
+    // margin round where it should be by now, moved as rigidly as all have since, is foreseen anew,
+    // and its pairs are looked for again; where many have, all are: then true.
     bool cover(std::span<const Vec<double>> start, std::span<const Vec<double>> end, double slack,
                Workers& workers);
 
@@ -62,6 +63,8 @@ private:
         std::unique_ptr<Tree> tree{};
         std::vector<float> strayed{};  // m: how far each is off the way foreseen, at most
         std::vector<float> reach{};    // m: how near others must come to be listed with each
+        std::vector<std::uint8_t> isAstray{};  // 1: a corner is
+        std::vector<int> astray{};             // those
         int count() const { return static_cast<int>(ids.size()) / arity; }
         std::span<const int> at(int i) const {
             return std::span(ids).subspan(std::size_t(i) * arity, arity);
@@ -80,7 +83,6 @@ private:
         Candidates found;            // by their bounds
         std::vector<Listed> near{};  // of every part of those the first `kept`
         std::vector<int> kept{};     // by part
-        int parts() const { return static_cast<int>(found.pairs().size() + part - 1) / part; }
     };
 
     void add(Kind kind, std::span<const int> ids);
@@ -88,12 +90,18 @@ private:
     bool accepts(const Meeting& meeting, std::span<const int> a, std::span<const int> b) const;
     double reachOf(int vertex) const;
     Vec<double> foreseen(int vertex, int substeps) const;
-    bool asForeseen(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
-                    Workers& workers) const;
+    long findAstray(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
+                    Workers& workers);
     bool known(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                Workers& workers);
-    void foresee(std::span<const Vec<double>> start, std::span<const Vec<double>> end, double slack,
-                 Workers& workers);
+    void foresee(int vertex, const Vec<double>& from, const Vec<double>& to, double slack);
+    bool redirect(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
+                  double slack, Workers& workers);
+    bool foreseeAstray(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
+                       double slack);
+    Bounds boundsOf(std::span<const int> ids) const;
+    void dropAstray(Meeting& meeting, Workers& workers) const;
+    void findAnew(Meeting& meeting, Workers& workers);
     void search(std::span<const Vec<double>> start, std::span<const Vec<double>> end, double slack,
                 Workers& workers);
     void sift(Meeting& meeting, Workers& workers);
@@ -121,6 +129,8 @@ private:
     std::vector<Vec<double>> from_, to_, due_;
     int passed_ = 0;
     Rigid moved_;
+    std::vector<std::uint8_t> astray_;  // by vertex: 1 where it was not to be
+    Vec<double> origin_{};              // of bounds, m
     struct Swept {
         Bounds bounds;
         float reach;  // m, beyond its way

@@ -17,6 +17,11 @@ struct Rigid {
         const Vec<double> a = x - from;
         return to + Vec<double>{dot(rows[0], a), dot(rows[1], a), dot(rows[2], a)};
     }
+    // Where it takes here from.
+    Vec<double> back(const Vec<double>& x) const {
+        const Vec<double> a = x - to;
+        return from + a.x * rows[0] + a.y * rows[1] + a.z * rows[2];
+    }
 };
 
 // Near the best in the sense of least squares from `before` to `now`, for these vertices, and

@@ -75,7 +75,7 @@ struct ContactOptions {
     double displacementLimit = 0;  // m that one contact moves a vertex in a substep at most,
                                    // across; 0: no limit [CC20]
     double margin = 0;  // m off the way a vertex was foreseen to go until pairs are looked for
-                        // again; 0: an eighth of the mean edge, at least half the largest thickness
+                        // again; 0: a fifth of the mean edge, at least half the largest thickness
 };
 
 struct World;
