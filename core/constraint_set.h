@@ -124,7 +124,9 @@ private:
     }
 
     // Colour by colour, each filled up to whole blocks with copies of its last row that hang on the
-    // padding vertex and so change nothing.
+    // padding vertex and so change nothing. A colour in the order of its vertices, whichever its
+    // constraints came in: the bits are the same, and memory is gone through in order (diagonals of
+    // a grid come strand by strand, each vertex on another page).
     void layOut(const std::vector<int>& colors, int padding) {
         slot_.resize(colors.size());
         const int count = colors.empty() ? 0 : *std::max_element(colors.begin(), colors.end()) + 1;
@@ -132,8 +134,12 @@ private:
         for (std::size_t i = 0; i < colors.size(); ++i)
             membersOf[static_cast<std::size_t>(colors[i])].push_back(static_cast<int>(i));
         int slot = 0;
-        for (const std::vector<int>& color : membersOf) {
+        for (std::vector<int>& color : membersOf) {
             const int begin = slot;
+            std::stable_sort(color.begin(), color.end(), [&](int a, int b) {
+                return set_.ids[static_cast<std::size_t>(a) * arity] <
+                       set_.ids[static_cast<std::size_t>(b) * arity];
+            });
             for (const int i : color) {
                 slot_[static_cast<std::size_t>(i)] = slot;
                 place(slot++, i, padding);

@@ -12,8 +12,8 @@ template <class Real>
 struct StrandBlock {
     const int* ids;    // links + 1 vertices a strand
     const Real* rows;  // rest length (m), compliance (m/N)
-    Real* lambda;      // of each link
-    Real* work;        // strandWork numbers a link, of no meaning before and after
+    Real* lambda;      // of each link; null where all are rigid
+    Real* work;  // strandWork numbers a link of those to solve, of no meaning before and after
     int links;
     int begin, end;  // the strands to solve: multiples of the lanes
 };

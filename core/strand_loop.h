@@ -17,11 +17,16 @@ struct StrandLink {
     T w;           // of the link's second vertex
 };
 
+template <class Real>
+Real* workOf(const StrandBlock<Real>& block, int k, int lane) {
+    return block.work + strandWork * (k * (block.end - block.begin) + lane - block.begin);
+}
+
 // Its numbers, kept for lanes from `lane` on. One by one: a whole StrandLink is copied in wider
 // registers than its members are read in, and every read then waits for the copy.
 template <class T>
 void keep(const StrandLink<T>& link, const StrandBlock<Scalar<T>>& block, int k, int lane) {
-    Scalar<T>* to = block.work + strandWork * (k * blockSize + lane);
+    Scalar<T>* to = workOf(block, k, lane);
     for (const T& number :
          {link.along.x, link.along.y, link.along.z, link.factor, link.solved, link.w}) {
         store(to, number);
@@ -31,7 +36,7 @@ void keep(const StrandLink<T>& link, const StrandBlock<Scalar<T>>& block, int k,
 
 template <class T>
 StrandLink<T> kept(const StrandBlock<Scalar<T>>& block, int k, int lane) {
-    const Scalar<T>* from = block.work + strandWork * (k * blockSize + lane);
+    const Scalar<T>* from = workOf(block, k, lane);
     const auto number = [&](int m) { return load<T>(from + m * Lanes<T>::count); };
     return {{number(0), number(1), number(2)}, number(3), number(4), number(5)};
 }
@@ -68,8 +73,11 @@ void factor(const Sweep<Scalar<T>>& sweep, const StrandBlock<Scalar<T>>& block, 
         const T l = length(apart.xyz);
         StrandLink<T> link{divide(T(1), l) * apart.xyz, T(0), T(0), apart.w};
         const Scalar<T>* row = block.rows + 2 * k * blockSize + lane;
-        const T a = pass == Pass::damp ? T(0) : load<T>(row + blockSize) * T(sweep.inverseH2);
-        const T lambda = T(sweep.keep) * load<T>(block.lambda + k * blockSize + lane);
+        T a(0), lambda(0);
+        if (pass != Pass::damp && block.lambda) {
+            a = load<T>(row + blockSize) * T(sweep.inverseH2);
+            lambda = T(sweep.keep) * load<T>(block.lambda + k * blockSize + lane);
+        }
         const T c = residualOf<T, pass>(sweep, ids, link.along, l - load<T>(row));
 
         const Vec<T> pull = response.of(link.along);
@@ -101,7 +109,7 @@ void solve(const Sweep<Scalar<T>>& sweep, const StrandBlock<Scalar<T>>& block, i
         change = link.solved - next.factor * change;
         const auto response = responseOf<T, inAir>(sweep, ids, link.w);
         scatterAdd<T>(to, ids, stride, strength * response.of(change * link.along - pulled));
-        if constexpr (pass == Pass::project) {
+        if (pass == Pass::project && block.lambda) {
             Scalar<T>* const lambda = block.lambda + k * blockSize + lane;
             store(lambda, T(sweep.keep) * load<T>(lambda) + strength * change);
         }

@@ -36,6 +36,8 @@ public:
                 throw std::invalid_argument("strands: links cannot buckle");
             else if (row.compliance >= slack)
                 throw std::invalid_argument("strands: every link must act");
+        const bool rigid = std::all_of(set.rows.begin(), set.rows.end(),
+                                       [](const auto& row) { return row.compliance == 0; });
         int colors = 0;
         for (const Strand& strand : strands) colors = std::max(colors, strand.color + 1);
         for (int color = 0; color < colors; ++color) {
@@ -45,11 +47,13 @@ public:
             const int begin = static_cast<int>(shares_.size());
             for (std::size_t i = 0; i < members.size(); i += blockSize) {
                 const std::size_t count = std::min<std::size_t>(blockSize, members.size() - i);
-                blocks_.emplace_back(set, std::span(members).subspan(i, count), padding);
+                blocks_.emplace_back(set, std::span(members).subspan(i, count), padding, rigid);
                 // Half a block, where the lanes allow it: a flag has few blocks to deal out.
                 const int share = std::max(blockSize / 2, choice.lanes);
                 for (int n = 0; n < static_cast<int>(count); n += share)
-                    shares_.push_back({static_cast<int>(blocks_.size()) - 1, n, n + share});
+                    shares_.push_back(
+                        {static_cast<int>(blocks_.size()) - 1, n, n + share,
+                         std::vector<Real>(strandWork * share * blocks_.back().links)});
             }
             colors_.push_back({begin, static_cast<int>(shares_.size())});
         }
@@ -77,12 +81,12 @@ public:
 private:
     // As in StrandBlock.
     struct Block {
-        Block(const Rows<Stretch>& set, std::span<const Strand* const> strands, int padding)
+        Block(const Rows<Stretch>& set, std::span<const Strand* const> strands, int padding,
+              bool rigid)
             : links(static_cast<int>(strands[0]->links.size())),
               ids((links + 1) * blockSize, padding),
               rows(2 * links * blockSize, 0),
-              lambda(links * blockSize, 0),
-              work(strandWork * links * blockSize, 0) {
+              lambda(rigid ? 0 : links * blockSize, 0) {
             for (std::size_t n = 0; n < strands.size(); ++n) {
                 const Strand& strand = *strands[n];
                 for (int v = 0; v <= links; ++v)
@@ -98,11 +102,12 @@ private:
 
         int links;  // of its longest strand
         std::vector<int> ids;
-        std::vector<Real> rows, lambda, work;
+        std::vector<Real> rows, lambda;  // no lambda where all are rigid: it would be lost on them
     };
     // What a thread takes at once: these strands of a block.
     struct Share {
         int block, begin, end;
+        std::vector<Real> work;
     };
     struct Color {
         int begin, end;  // shares
@@ -112,11 +117,15 @@ private:
              Workers& workers) {
         const StrandKernel<Real> kernel = kernels[sweep.air ? 1 : 0];
         workers.forBlocks(color.end - color.begin, 1, [&](int begin, int end) {
+            // That of the first share, which has the longest strands, serves a whole run: it stays
+            // in the cache, where one a share would be streamed through memory.
+            Real* const work = shares_[color.begin + begin].work.data();
             for (int i = color.begin + begin; i < color.begin + end; ++i) {
                 const Share& share = shares_[i];
                 Block& block = blocks_[share.block];
-                kernel(sweep, {block.ids.data(), block.rows.data(), block.lambda.data(),
-                               block.work.data(), block.links, share.begin, share.end});
+                Real* const lambda = block.lambda.empty() ? nullptr : block.lambda.data();
+                kernel(sweep, {block.ids.data(), block.rows.data(), lambda, work, block.links,
+                               share.begin, share.end});
             }
         });
     }
