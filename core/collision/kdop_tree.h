@@ -5,6 +5,7 @@
 #include "kdop.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -45,14 +46,19 @@ public:
         workers.forBlocks(count(), 256, [&](int begin, int end) {
             for (int i = begin; i < end; ++i) bounds_[place_[i]] = bound(i);
         });
-        fitAll(workers);
+        isStale_.assign(std::size_t(parts()), 1);
+        fitStale(workers);
     }
 
     // The same where only these have new ones.
     template <class Bound>
     void refit(std::span<const int> primitives, const Bound& bound, Workers& workers) {
-        for (const int i : primitives) bounds_[place_[i]] = bound(i);
-        fitAll(workers);
+        isStale_.assign(std::size_t(parts()), 0);
+        for (const int i : primitives) {
+            bounds_[place_[i]] = bound(i);
+            isStale_[((place_[i] + 1L) * parts() - 1) / count()] = 1;
+        }
+        fitStale(workers);
     }
 
     // Calls visit(i) for every primitive whose bounds overlap these.
@@ -136,9 +142,10 @@ private:
         nodes_[n].include(nodes_[2 * n + 1]);
     }
 
-    void fitAll(Workers& workers) {
+    void fitStale(Workers& workers) {
         workers.forBlocks(parts(), 1, [&](int begin, int end) {
-            for (int part = begin; part < end; ++part) fit(parts() + part);
+            for (int part = begin; part < end; ++part)
+                if (isStale_[part]) fit(parts() + part);
         });
         for (int n = parts() - 1; n > 0; --n) join(n);
     }
@@ -199,9 +206,10 @@ private:
     }
 
     int depth_ = 0;
-    std::vector<int> items_, place_;  // from leaf to leaf, and where each is among them
-    std::vector<Bounds> bounds_;      // of items_
-    std::vector<Bounds> nodes_;       // nodes_[0] is unused
+    std::vector<int> items_, place_;     // from leaf to leaf, and where each is among them
+    std::vector<Bounds> bounds_;         // of items_
+    std::vector<Bounds> nodes_;          // nodes_[0] is unused
+    std::vector<std::uint8_t> isStale_;  // by part: bounds in it are new
 };
 
 template <int k>

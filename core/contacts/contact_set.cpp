@@ -121,8 +121,8 @@ double ContactSet<Real>::gapOf(const Pairing& pair, const Nearest& now) const {
     for (std::size_t i = 0; i < 4; ++i) gap += std::fabs(now.weight[i]) * search_.thickness(v[i]);
     if (search_.surfaceOf(v[0]) == search_.surfaceOf(v[3])) {
         gap *= search_.width(v[0], v[3]);
-        const Nearest rest = nearest(pair, {rest_[v[0]], rest_[v[1]], rest_[v[2]], rest_[v[3]]});
-        gap = std::min(gap, length(rest.apart));
+        const PairPoints rest{rest_[v[0]], rest_[v[1]], rest_[v[2]], rest_[v[3]]};
+        if (mayMeet(pair, rest, rest, gap)) gap = std::min(gap, length(nearest(pair, rest).apart));
     }
     return std::min(gap, length(now.apart) + options_.recovery * h_);
 }

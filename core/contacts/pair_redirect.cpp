@@ -5,13 +5,17 @@
 
 namespace plait {
 
-// False, and nothing is known any more, where too many have, or one that cannot be foreseen.
+// False, and nothing is known any more, where too many have, one cannot be foreseen, or this has
+// been done so often since all were looked for that by now it has cost as much.
 bool PairSearch::redirect(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                           double slack, Workers& workers) {
     constexpr int share = 8;  // of all: beyond, looking for all pairs is no dearer
-    if (from_.empty() || share * findAstray(start, end, workers) > std::ssize(members_) ||
+    constexpr int most = 3;   // times, likewise
+    if (from_.empty() || redirected_ == most ||
+        share * findAstray(start, end, workers) > std::ssize(members_) ||
         !foreseeAstray(start, end, slack))
         return false;
+    ++redirected_;
     place(from_, to_, workers);
     for (auto& side : groups_)
         for (Group& group : side) {

@@ -124,7 +124,7 @@ bool PairSearch::cover(std::span<const Vec<double>> start, std::span<const Vec<d
 // All must be where they were to be at one and the same time, in this substep, in the next, or once
 // all stay: of two of which one is on its way and the other was stopped nothing is known. Distances
 // are the same after any rigid motion, so any serves; what stands on a wide floor may stay within
-// the margin of none. If it is none of these, the one that fits most is left.
+// the margin of none. If it is none of these, one that fits most, or nearly all, is left.
 bool PairSearch::known(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                        Workers& workers) {
     if (from_.empty()) return false;
@@ -134,19 +134,21 @@ bool PairSearch::known(std::span<const Vec<double>> start, std::span<const Vec<d
     const auto fits = [&] {
         const long count = findAstray(start, end, workers);
         if (count < fewest) fewest = count, passed = passed_, moved = moved_;
-        return count == 0;
+        return 64 * fewest <= std::ssize(members_);
     };
     for (const int time : {passed_, passed_ + 1, foresight}) {
         passed_ = std::min(time, foresight);
         moved_ = {};
-        if (fits()) return true;
-        for (const int v : members_) due_[v] = foreseen(v, passed_);
+        if (fits()) break;
+        workers.forBlocks(static_cast<int>(members_.size()), 1024, [&](int first, int last) {
+            for (int i = first; i < last; ++i) due_[members_[i]] = foreseen(members_[i], passed_);
+        });
         moved_ = rigidMotion(due_, start, members_);
-        if (fits()) return true;
+        if (fits()) break;
     }
     passed_ = passed;
     moved_ = moved;
-    return false;
+    return fewest == 0;
 }
 
 void PairSearch::place(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
@@ -265,6 +267,7 @@ void PairSearch::search(std::span<const Vec<double>> start, std::span<const Vec<
     astray_.resize(start.size());
     origin_ = start[0];
     passed_ = 0;
+    redirected_ = 0;
     moved_ = {};
     workers.forBlocks(static_cast<int>(members_.size()), 256, [&](int first, int last) {
         for (int i = first; i < last; ++i) {

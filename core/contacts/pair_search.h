@@ -128,6 +128,7 @@ private:
     // rigidly against that.
     std::vector<Vec<double>> from_, to_, due_;
     int passed_ = 0;
+    int redirected_ = 0;  // times since all pairs were looked for
     Rigid moved_;
     std::vector<std::uint8_t> astray_;  // by vertex: 1 where it was not to be
     Vec<double> origin_{};              // of bounds, m

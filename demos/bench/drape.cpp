@@ -28,8 +28,8 @@ struct Case {
 
 constexpr Case cases[]{{64, "preview", 4, 2, "0.001"},
                        {128, "final", 4, 2, "0.0005"},
-                       {128, "final", 4, 2, "0.001"},
-                       {128, "final", 8, 2, "0.0005"}};
+                       {128, "final", 8, 2, "0.0005"},
+                       {128, "final", 4, 2, "0.001"}};
 
 // Frame by frame; those of the metrics of the scene.
 struct Course {
