@@ -58,7 +58,7 @@ TEST_CASE("inextensible: 128 x 128 and 256 x 256 held to 0.1 %, 512 x 512 to 1 %
     for (const auto& [n, iterations, substeps, mending, work, bound] :
          {std::tuple{128, 2, 24, 0.0009, 9000000L, 0.001},
           {256, 1, 64, 0.0009, 48000000L, 0.001},
-          {512, 1, 32, 0.008, 105000000L, 0.01}}) {
+          {512, 1, 48, 0.008, 135000000L, 0.01}}) {
         const Course course =
             fall(std::to_string(n), square(n), {0, n - 1},
                  {.substeps = substeps, .iterations = iterations, .sheet = {.mending = mending}});
