@@ -1,9 +1,78 @@
-// The few vertices that have strayed are foreseen anew, and their pairs looked for again.
+// Where vertices are to be: whether they are there, and what is done about the few that are not.
+// They are foreseen anew, and their pairs looked for again.
 #include "pair_search.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace plait {
+
+// Where a vertex was to be so many substeps after pairs were looked for.
+Vec<double> PairSearch::foreseen(int v, int substeps) const {
+    const double share = double(std::min(substeps, foresight)) / foresight;
+    return moved_(from_[v] + share * (to_[v] - from_[v]));
+}
+
+// Which vertices are not where they were to be; how many.
+long PairSearch::findAstray(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
+                            Workers& workers) {
+    std::atomic<long> sum{0};
+    workers.forBlocks(static_cast<int>(members_.size()), 1024, [&](int first, int last) {
+        long count = 0;
+        for (int i = first; i < last; ++i) {
+            const int v = members_[i];
+            const Vec<double> a = start[v] - foreseen(v, passed_);
+            const Vec<double> b = end[v] - foreseen(v, passed_ + 1);
+            const double most = margin_ * margin_;
+            astray_[v] = !(dot(a, a) <= most && dot(b, b) <= most);
+            count += astray_[v];
+        }
+        sum += count;
+    });
+    return sum;
+}
+
+// Bounds of a vertex where it is and where it is to be: those of a simplex are all of its
+// vertices'. A thousandth wider, since impacts may be told a little early.
+void PairSearch::foresee(int v, const Vec<double>& from, const Vec<double>& to, double slack) {
+    from_[v] = from;
+    to_[v] = to;
+    const double radius = 1.001 * (reachOf(v) + 0.5 * slack + margin_);
+    const auto boundsAt = [&](const std::vector<Vec<double>>& x) {
+        return sweptBounds<slabs>(std::span(&v, 1), {x, x, radius, origin_});
+    };
+    swept_[v] = {{boundsAt(from_), boundsAt(to_)}, static_cast<float>((1 + 1e-6) * radius + 1e-12)};
+}
+
+// All must be where they were to be at one and the same time, in this substep, in the next, or once
+// all stay: of two of which one is on its way and the other was stopped nothing is known. Distances
+// are the same after any rigid motion, so any serves; what stands on a wide floor may stay within
+// the margin of none. If it is none of these, one that fits most, or nearly all, is left.
+bool PairSearch::known(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
+                       Workers& workers) {
+    if (from_.empty()) return false;
+    long fewest = std::ssize(members_) + 1;
+    int passed = 0;
+    Rigid moved;
+    const auto fits = [&] {
+        const long count = findAstray(start, end, workers);
+        if (count < fewest) fewest = count, passed = passed_, moved = moved_;
+        return 64 * fewest <= std::ssize(members_);
+    };
+    for (const int time : {passed_, passed_ + 1, foresight}) {
+        passed_ = std::min(time, foresight);
+        moved_ = {};
+        if (fits()) break;
+        workers.forBlocks(static_cast<int>(members_.size()), 1024, [&](int first, int last) {
+            for (int i = first; i < last; ++i) due_[members_[i]] = foreseen(members_[i], passed_);
+        });
+        moved_ = rigidMotion(due_, start, members_);
+        if (fits()) break;
+    }
+    passed_ = passed;
+    moved_ = moved;
+    return fewest == 0;
+}
 
 // False, and nothing is known any more, where too many have, one cannot be foreseen, or this has
 // been done so often since all were looked for that by now it has cost as much.
