@@ -150,8 +150,7 @@ int benchSheet(int threads) {
                 "first swing", "at 1 s", "lost", "gained");
     std::printf("%5s  %-15s %9s %9s %8s %9s %7s %7s %6s %6s  %13s %7s %7s %9s\n", "", "", "a frame",
                 "a frame", "ms", "a frame", "ms", "%", "%", "%", "m (frame)", "m", "J", "J");
-    // What stays within 1 %, from 64 to 512, no frame of which takes much longer than the others;
-    // then what goes beyond, and other ways.
+    // What stays within 1 %, from 64 to 512; then what goes beyond, and other ways.
     std::vector<std::array<double, 2>> costs;
     for (const Case& of :
          {strands(64, 8, 1), strands(128, 8, 1), strands(256, 16, 1), strands(512, 48, 1)})
