@@ -136,9 +136,10 @@ private:
         int slot = 0;
         for (std::vector<int>& color : membersOf) {
             const int begin = slot;
-            std::stable_sort(color.begin(), color.end(), [&](int a, int b) {
-                return set_.ids[static_cast<std::size_t>(a) * arity] <
-                       set_.ids[static_cast<std::size_t>(b) * arity];
+            std::sort(color.begin(), color.end(), [&](int a, int b) {
+                const int first = set_.ids[static_cast<std::size_t>(a) * arity],
+                          second = set_.ids[static_cast<std::size_t>(b) * arity];
+                return first < second || (first == second && a < b);
             });
             for (const int i : color) {
                 slot_[static_cast<std::size_t>(i)] = slot;
