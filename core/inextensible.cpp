@@ -142,7 +142,7 @@ void SheetPlan::hold(World& world) const {
         std::vector<bool> gone;
         for (const int place : threads_) gone.push_back(isCut_[place]);
         world.strand(chosen(edges_, threads_, isCut_), partsOf(strands_, gone),
-                     {.name = "strands", .order = order + 2});
+                     {.name = "strands", .order = order + 2}, options_.geometricStiffness);
     }
     if (tethers_)
         world.constrain(tethersIn(world, tethers_->tethers()),

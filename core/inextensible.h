@@ -13,9 +13,10 @@
 namespace plait {
 
 struct SheetOptions {
-    double compliance = 0;    // m/N, of every edge; where it is not 0, nothing bounds how far the
-                              // sheet goes: tethers, aggregates and mending are left out
-    bool strands = true;      // straight ways through the mesh, each solved whole
+    double compliance = 0;  // m/N, of every edge; where it is not 0, nothing bounds how far the
+                            // sheet goes: tethers, aggregates and mending are left out
+    bool strands = true;    // straight ways through the mesh, each solved whole
+    bool geometricStiffness = true;  // of strands
     bool tethers = true;      // how far the sheet lets a vertex be from each pin; pins may move
     bool aggregates = false;  // coarse levels, of more use without strands
     double mending = 0.008;   // part of its length by which an edge may be too long after all this

@@ -2,10 +2,10 @@
 // bits for any number of threads and lanes.
 #pragma once
 
-#include "csr.h"
 #include "link_blocks.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -34,19 +34,15 @@ public:
         marked_.reserve(near_.size());
         byColor_.resize(static_cast<std::size_t>(count));
         for (std::size_t i = 0; i < colors.size(); ++i)
-            byColor_[colors[i]].push_back(static_cast<int>(i));
+            byColor_[colors[i]].push_back({ids[2 * i], ids[2 * i + 1], static_cast<int>(i)});
         slots_.resize(colors.size());
-        for (const std::vector<int>& color : byColor_) {
-            for (const int i : color) slots_[i] = all_.add(ids[2 * i], ids[2 * i + 1], {});
+        for (const std::vector<std::array<int, 3>>& color : byColor_) {
+            for (const auto& [a, b, link] : color) slots_[link] = all_.add(a, b, {});
             all_.endColor();
         }
         rows_.resize(static_cast<std::size_t>(all_.size()));
         blocks_.resize(rows_.size() / blockSize);
-        off_.reserve(rows_.size());
-        for (std::size_t c = 0; c < byColor_.size(); ++c)
-            color_.resize(static_cast<std::size_t>(all_.end(static_cast<int>(c))),
-                          static_cast<int>(c));
-        joinSlots(ids);
+        joinLinks(ids, colors);
         active_ = all_;  // its memory
     }
 
@@ -77,10 +73,9 @@ public:
     long mend(const Sweep<Real>& sweep, const Mending& mending, Workers& workers) {
         long work = 0;
         for (int round = 0; round < mending.rounds; ++round) {
-            if (round == 0)
-                findOff(sweep, mending.tolerance, workers);
-            else
-                findStillOff(sweep, mending.tolerance);
+            off_.clear();
+            findOff(sweep, round ? active_ : all_, mending.tolerance, workers);
+            if (round) findOffAround(sweep, mending.tolerance);
             if (!markNear(mending.rings)) break;
             activateNear();
             for (int i = 0; i < mending.sweeps; ++i)
@@ -98,56 +93,68 @@ private:
         return kernels_.project[sweep.air ? 1 : 0];
     }
 
-    void joinSlots(std::span<const int> ids) {
-        std::vector<int>& start = slotsAt_.start;
-        start.assign(near_.size() + 1, 0);
-        for (const int v : ids) ++start[v + 1];
-        for (std::size_t v = 0; v < near_.size(); ++v) start[v + 1] += start[v];
-        slotsAt_.item.resize(ids.size());
-        std::vector<int> end(start.begin(), start.end() - 1);
-        for (std::size_t i = 0; i < ids.size(); ++i) slotsAt_.item[end[ids[i]]++] = slots_[i / 2];
+    // A link as its vertex at hand sees it.
+    struct Joined {
+        int slot, other, color;
+        bool first;  // the vertex at hand is the link's first
+    };
+
+    void joinLinks(std::span<const int> ids, std::span<const int> colors) {
+        start_.assign(near_.size() + 1, 0);
+        for (const int v : ids) ++start_[v + 1];
+        for (std::size_t v = 0; v < near_.size(); ++v) start_[v + 1] += start_[v];
+        joined_.resize(ids.size());
+        std::vector<int> end(start_.begin(), start_.end() - 1);
+        for (std::size_t i = 0; i < ids.size(); ++i)
+            joined_[end[ids[i]]++] = {slots_[i / 2], ids[i ^ 1], colors[i / 2], i % 2 == 0};
+    }
+
+    std::span<const Joined> at(int v) const {
+        return std::span(joined_).subspan(start_[v], start_[v + 1] - start_[v]);
     }
 
     // 1 where a link is off to a side that it acts on.
     template <class T>
-    T isOff(const Sweep<Real>& sweep, int slot, double tolerance) const {
-        const int* ids = all_.ids(slot);
-        const auto row = loadRow<Stretch, T>(all_.rows(slot));
+    static T isOff(const Sweep<Real>& sweep, const LinkBlocks<Real>& links, int slot,
+                   double tolerance) {
+        const int* ids = links.ids(slot);
+        const auto row = loadRow<Stretch, T>(links.rows(slot));
         const T c = length(gatherRelative<T>(sweep.particles, ids, ids + blockSize).xyz) - row.rest;
         const T much = T(tolerance) * row.rest;
         return select(c > much, select(row.compliance < T(slack), T(1), T(0)),
                       select(-c > much, select(row.compression < T(slack), T(1), T(0)), T(0)));
     }
 
-    // Fills off_: the few blocks that have one are gone through once more.
-    [[gnu::flatten]] void findOff(const Sweep<Real>& sweep, double tolerance, Workers& workers) {
+    // Adds to off_: the few blocks that have one are gone through once more.
+    [[gnu::flatten]] void findOff(const Sweep<Real>& sweep, const LinkBlocks<Real>& links,
+                                  double tolerance, Workers& workers) {
         constexpr int lanes = Lanes<Wide>::count;
         constexpr int grain = 64;
-        workers.forBlocks(static_cast<int>(blocks_.size()), grain, [&](int begin, int end) {
+        const int blocks = links.size() / blockSize;
+        workers.forBlocks(blocks, grain, [&](int begin, int end) {
             for (int block = begin; block < end; ++block) {
                 Wide sum(0);
                 for (int n = 0; n < blockSize; n += lanes)
-                    sum = sum + isOff<Wide>(sweep, block * blockSize + n, tolerance);
+                    sum = sum + isOff<Wide>(sweep, links, block * blockSize + n, tolerance);
                 Real sums[lanes];
                 store(sums, sum);
                 blocks_[block] =
                     std::any_of(sums, sums + lanes, [](Real s) { return s > Real(0); });
             }
         });
-        off_.clear();
-        for (int block = 0; block < static_cast<int>(blocks_.size()); ++block)
+        for (int block = 0; block < blocks; ++block)
             for (int n = block * blockSize; blocks_[block] && n < (block + 1) * blockSize; ++n)
-                if (isOff<Real>(sweep, n, tolerance) > Real(0)) off_.push_back(n);
+                if (isOff<Real>(sweep, links, n, tolerance) > Real(0))
+                    off_.insert(off_.end(), {links.vertex(n, 0), links.vertex(n, 1)});
     }
 
-    // The same where only marked vertices have moved since.
-    void findStillOff(const Sweep<Real>& sweep, double tolerance) {
-        off_.clear();
-        for (const int v : marked_)
-            for (const int n : slotsAt_[v])
-                if ((all_.vertex(n, 0) == v || !near_[all_.vertex(n, 0)]) &&
-                    isOff<Real>(sweep, n, tolerance) > Real(0))
-                    off_.push_back(n);
+    // Adds those with one end marked, and so in the last ring: only marked vertices have moved
+    // since these were last looked at, and the links between them are the active ones.
+    void findOffAround(const Sweep<Real>& sweep, double tolerance) {
+        for (std::size_t i = lastRing_; i < marked_.size(); ++i)
+            for (const Joined& link : at(marked_[i]))
+                if (!near_[link.other] && isOff<Real>(sweep, all_, link.slot, tolerance) > Real(0))
+                    off_.insert(off_.end(), {marked_[i], link.other});
     }
 
     void mark(int v) {
@@ -160,25 +167,26 @@ private:
     bool markNear(int rings) {
         for (const int v : marked_) near_[v] = 0;
         marked_.clear();
-        for (const int n : off_) mark(all_.vertex(n, 0)), mark(all_.vertex(n, 1));
-        std::size_t begin = 0;
-        for (int ring = 0; ring < rings; ++ring)
-            for (const std::size_t end = marked_.size(); begin < end; ++begin)
-                for (const int n : slotsAt_[marked_[begin]])
-                    mark(all_.vertex(n, 0)), mark(all_.vertex(n, 1));
+        for (const int v : off_) mark(v);
+        lastRing_ = 0;
+        for (int ring = 0; ring < rings; ++ring) {
+            const std::size_t end = marked_.size();
+            for (std::size_t i = lastRing_; i < end; ++i)
+                for (const Joined& link : at(marked_[i])) mark(link.other);
+            lastRing_ = end;
+        }
         return !marked_.empty();
     }
 
     void activateNear() {
-        for (std::vector<int>& color : byColor_) color.clear();
+        for (std::vector<std::array<int, 3>>& color : byColor_) color.clear();
         for (const int v : marked_)
-            for (const int n : slotsAt_[v])
-                if (all_.vertex(n, 0) == v && near_[all_.vertex(n, 1)])
-                    byColor_[color_[n]].push_back(n);
+            for (const Joined& link : at(v))
+                if (link.first && near_[link.other])
+                    byColor_[link.color].push_back({v, link.other, link.slot});
         active_.clear();
-        for (const std::vector<int>& color : byColor_) {
-            for (const int n : color)
-                active_.add(all_.vertex(n, 0), all_.vertex(n, 1), all_.row(n));
+        for (const std::vector<std::array<int, 3>>& color : byColor_) {
+            for (const auto& [a, b, slot] : color) active_.add(a, b, all_.row(slot));
             active_.endColor();
         }
         active_.forgetMultipliers();
@@ -186,15 +194,16 @@ private:
 
     const KernelTable<Real>& kernels_;
     LinkBlocks<Real> all_, active_;
-    std::vector<Row> rows_;             // by slot
-    std::vector<int> slots_;            // by link
-    std::vector<int> color_;            // by slot
-    Csr slotsAt_;                       // by vertex
+    std::vector<Row> rows_;   // by slot
+    std::vector<int> slots_;  // by link
+    std::vector<int> start_;  // by vertex, one more: of its links in joined_
+    std::vector<Joined> joined_;
     std::vector<std::uint8_t> blocks_;  // by block: a link is off
-    std::vector<int> off_;              // slots
+    std::vector<int> off_;              // vertices of links that are off
     std::vector<std::uint8_t> near_;    // by vertex: marked
-    std::vector<int> marked_;
-    std::vector<std::vector<int>> byColor_;  // slots that are to be swept
+    std::vector<int> marked_;           // from lastRing_ on of the last ring
+    std::size_t lastRing_ = 0;
+    std::vector<std::vector<std::array<int, 3>>> byColor_;  // to be swept: two vertices, a slot
 };
 
 }  // namespace plait

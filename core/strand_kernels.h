@@ -16,8 +16,9 @@ struct StrandBlock {
     Real* work;  // strandWork numbers a link of those to solve, of no meaning before and after
     int links;
     int begin, end;  // the strands to solve: multiples of the lanes
+    bool turns;      // with geometric stiffness
 };
-inline constexpr int strandWork = 6;
+inline constexpr int strandWork = 7;
 
 template <class Real>
 using StrandKernel = void (*)(const Sweep<Real>&, const StrandBlock<Real>&);

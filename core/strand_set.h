@@ -6,6 +6,12 @@
 // Unlike DirectSet it runs in the precision of the sweep and in lanes, and knows chains only; links
 // resist compression as they do extension. Links without compliance that contradict each other (two
 // pins further apart than the strand is long) have no solution; give them compliance.
+//
+// With geometric stiffness (Tournier et al., "Stable constrained dynamics", 2015, section 4) the
+// multipliers that an evaluation finds act not along where links were, but along where they come to
+// lie: what a taut strand has against being turned is then implicit, and a wave across it may pass
+// many links in a substep (methods/README.md). Theirs is of the step before and part of one system;
+// here it is of the multipliers just found, in a second one, so that nothing is kept.
 #pragma once
 
 #include "constraint.h"
@@ -24,12 +30,14 @@ class StrandSet : public Constraint<Real> {
 public:
     // `rest` by vertex, m; one vertex more is a vertex without mass that nothing else uses. Throws
     // std::invalid_argument for rows that move and for links that buckle or do not act.
-    StrandSet(const Rows<Stretch>& set, std::span<const Vec<double>> rest, KernelChoice choice)
-        : StrandSet(set, strandsOf(set.ids, rest), static_cast<int>(rest.size()), choice) {}
+    StrandSet(const Rows<Stretch>& set, std::span<const Vec<double>> rest, KernelChoice choice,
+              bool geometricStiffness = false)
+        : StrandSet(set, strandsOf(set.ids, rest), static_cast<int>(rest.size()), choice,
+                    geometricStiffness) {}
     // `strands` of all links, those of a colour from long to short; `padding` is that vertex.
     StrandSet(const Rows<Stretch>& set, std::span<const Strand> strands, int padding,
-              KernelChoice choice)
-        : kernels_(strandKernels<Real>(choice)), set_(set) {
+              KernelChoice choice, bool geometricStiffness = false)
+        : kernels_(strandKernels<Real>(choice)), set_(set), turns_(geometricStiffness) {
         if (set.animate) throw std::invalid_argument("strands: rest lengths cannot move");
         for (const auto& row : set.rows)
             if (row.compression != row.compliance)
@@ -125,13 +133,14 @@ private:
                 Block& block = blocks_[share.block];
                 Real* const lambda = block.lambda.empty() ? nullptr : block.lambda.data();
                 kernel(sweep, {block.ids.data(), block.rows.data(), lambda, work, block.links,
-                               share.begin, share.end});
+                               share.begin, share.end, turns_});
             }
         });
     }
 
     const StrandTable<Real>& kernels_;
     Rows<Stretch> set_;
+    bool turns_;
     std::vector<Block> blocks_;
     std::vector<Share> shares_;
     std::vector<Color> colors_;

@@ -85,25 +85,27 @@ std::vector<int> World::select(Range range,
     return chosen;
 }
 
-void World::strand(const Rows<Stretch>& set, SetOptions options) {
-    const auto make = [set, name = options.name]<class Real>(
+void World::strand(const Rows<Stretch>& set, SetOptions options, bool geometricStiffness) {
+    const auto make = [set, geometricStiffness, name = options.name]<class Real>(
                           const World& world,
                           KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
         checkStencils(name, set.ids, 2, set.rows.size(), set.colors, world.start.size());
         checkNumbers(name, numbersOf(set));
-        return std::make_unique<StrandSet<Real>>(set, world.rest, kernels);
+        return std::make_unique<StrandSet<Real>>(set, world.rest, kernels, geometricStiffness);
     };
     constrain(recipeOf<Constraint>(make), std::move(options));
 }
 
-void World::strand(const Rows<Stretch>& set, std::vector<Strand> strands, SetOptions options) {
-    const auto make = [set, strings = std::move(strands), name = options.name]<class Real>(
-                          const World& world,
-                          KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
+void World::strand(const Rows<Stretch>& set, std::vector<Strand> strands, SetOptions options,
+                   bool geometricStiffness) {
+    const auto make =
+        [set, strings = std::move(strands), geometricStiffness, name = options.name]<class Real>(
+            const World& world, KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
         checkStencils(name, set.ids, 2, set.rows.size(), set.colors, world.start.size());
         checkNumbers(name, numbersOf(set));
         const int padding = static_cast<int>(world.start.size());
-        return std::make_unique<StrandSet<Real>>(set, strings, padding, kernels);
+        return std::make_unique<StrandSet<Real>>(set, strings, padding, kernels,
+                                                 geometricStiffness);
     };
     constrain(recipeOf<Constraint>(make), std::move(options));
 }

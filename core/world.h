@@ -111,8 +111,9 @@ struct World {
     void constrain(Recipe<Constraint> recipe, SetOptions options, bool contact = false);
 
     // These links strung to strands, each solved at once, in lanes (strand_set.h).
-    void strand(const Rows<Stretch>& set, SetOptions options);
-    void strand(const Rows<Stretch>& set, std::vector<Strand> strands, SetOptions options);
+    void strand(const Rows<Stretch>& set, SetOptions options, bool geometricStiffness = false);
+    void strand(const Rows<Stretch>& set, std::vector<Strand> strands, SetOptions options,
+                bool geometricStiffness = false);
     // Coarse levels of these links (aggregate_set.h), down to `fewest` aggregates that move. Links
     // count as rigid, whatever their compliance.
     void aggregate(const Rows<Stretch>& set, SetOptions options, int fewest = 16);

@@ -105,6 +105,7 @@ struct Dense {
     Points x;
     Eigen::VectorXd lambda;
     double condition = 1;
+    bool geometricStiffness = false;
 
     Dense(const Chains& chains, const State<double>& start)
         : of(chains),
@@ -139,8 +140,34 @@ struct Dense {
         const Eigen::VectorXd change = -system.ldlt().solve(c + a.cwiseProduct(lambda));
         lambda += change;
         const Eigen::VectorXd move = w * j.transpose() * change;
+        const Points before = x;
         for (int v = 0; v < state.count(); ++v)
             x[v] += Vec<double>{move(3 * v), move(3 * v + 1), move(3 * v + 2)};
+        if (geometricStiffness) turn(before, change);
+    }
+
+    // (1 + w K) e = w (J(x)^T - J(before)^T) change, K a net of springs: the tension over the
+    // length.
+    void turn(const Points& before, const Eigen::VectorXd& change) {
+        const int n = state.count();
+        Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n), p = Eigen::MatrixXd::Zero(n, 3);
+        for (int i = 0; i < static_cast<int>(of.rows.size()); ++i) {
+            const double tension = std::max(0.0, -change(i));
+            const int ids[] = {of.rows.ids[2 * i], of.rows.ids[2 * i + 1]};
+            const Vec<double> was = before[ids[1]] - before[ids[0]], is = x[ids[1]] - x[ids[0]];
+            const Vec<double> pull = tension * (1 / length(was) * was - 1 / length(is) * is);
+            const Eigen::RowVector3d row(pull.x, pull.y, pull.z);
+            p.row(ids[1]) += row;
+            p.row(ids[0]) -= row;
+            for (const int a : ids)
+                for (const int b : ids) k(a, b) += (a == b ? 1 : -1) * tension / length(is);
+        }
+        Eigen::VectorXd w(n);
+        for (int v = 0; v < n; ++v) w(v) = state.particles[v].w;
+        const Eigen::MatrixXd system =
+            Eigen::MatrixXd::Identity(n, n) + Eigen::MatrixXd(w.asDiagonal() * k);
+        const Eigen::MatrixXd e = system.partialPivLu().solve(w.asDiagonal() * p);
+        for (int v = 0; v < n; ++v) x[v] += Vec<double>{e(v, 0), e(v, 1), e(v, 2)};
     }
 };
 
@@ -253,13 +280,15 @@ TEST_CASE("strands: a corner of more than 60 degrees ends one", "[strands]") {
 // Three evaluations of one substep, so that multipliers count as well. A float solve is off by its
 // rounding times the condition of the system.
 TEMPLATE_TEST_CASE("strands: evaluations are those of dense algebra", "[strands]", double, float) {
-    for (const bool air : {false, true}) {
+    for (const auto& [air, turns] :
+         {std::pair{false, false}, {true, false}, {false, true}, {true, true}}) {
         const Chains chains(20);
         State<double> start = stateOf<double>(chains.world);
         State<TestType> state = stateOf<TestType>(chains.world);
         if (air) addAir(start), addAir(state);
         Dense dense(chains, start);
-        StrandSet<TestType> set(chains.rows, chains.world.rest, bestKernels());
+        dense.geometricStiffness = turns;
+        StrandSet<TestType> set(chains.rows, chains.world.rest, bestKernels(), turns);
         Workers workers(1);
         set.begin({h, 1}, workers);
         const Points before = positionsOf(start);
@@ -298,9 +327,12 @@ TEST_CASE("strands: an evaluation is that of the direct set", "[strands]") {
 
 TEMPLATE_TEST_CASE("strands: corrections of free strands have no resultant and no torque",
                    "[strands]", double, float) {
-    const Chains chains(20, true);
+    const bool turns = GENERATE(false, true);
+    Chains chains(20, true);
+    if (turns)  // what pushes is not turned
+        for (auto& row : chains.rows.rows) row.rest *= 0.7;
     State<TestType> state = stateOf<TestType>(chains.world);
-    StrandSet<TestType> set(chains.rows, chains.world.rest, bestKernels());
+    StrandSet<TestType> set(chains.rows, chains.world.rest, bestKernels(), turns);
     Workers workers(1);
     set.begin({h, 1}, workers);
     const Points x = positionsOf(state);
@@ -316,6 +348,36 @@ TEMPLATE_TEST_CASE("strands: corrections of free strands have no resultant and n
     const double bound = std::is_same_v<TestType, float> ? 1e-6 : 1e-12;
     CHECK(report("resultant", length(sum) / size, bound));
     CHECK(report("torque", length(torque) / size, bound));
+}
+
+// A thread drawn tight between two pins, so that h is 10 times what a wave across takes for a link:
+// a wiggle from vertex to vertex grows in an explicit step, past c h = 0.58 l (methods/README.md).
+TEST_CASE("strands: geometric stiffness lets waves pass many links a substep", "[strands]") {
+    const auto wiggleAfter = [](bool geometricStiffness) {
+        World world;
+        const int links = 32;
+        const double l = 0.01, tension = 10, substep = 1.0 / 600;
+        Points x;
+        for (int k = 0; k <= links; ++k)
+            x.push_back({1.001 * k * l, k % 2 && k < links ? 1e-6 : 0, 0});
+        Shape shape = chain({.links = links});
+        const Range all = world.add({shape.complex, x});
+        world.mass.assign(world.mass.size(), tension / l * substep * substep / 100);
+        world.pin({all.first, all.last - 1});
+        Rows<Stretch> rows = linksOf(world);
+        for (auto& row : rows.rows) {
+            row.rest = l;
+            row.compliance = row.compression = 0.001 * l / tension;
+        }
+        world.strand(rows, {.name = "thread"}, geometricStiffness);
+        Solver<double> solver(world, {.schedule = {.substeps = 10, .frameRate = {60}}});
+        for (int frame = 0; frame < 3; ++frame) solver.frame();
+        double most = 0;
+        for (const Vec<double>& at : solver.positions()) most = std::max(most, std::fabs(at.y));
+        return most;
+    };
+    CHECK(report("wiggle left of 1e-6 m", wiggleAfter(true), 1e-7));
+    CHECK(wiggleAfter(false) > 1e-4);
 }
 
 TEMPLATE_TEST_CASE("strands: damping takes the part asked for off every rate", "[strands]", double,
@@ -373,7 +435,7 @@ TEST_CASE("strands: the same bits in all lanes, levels and threads",
     world.pin({0, 69, rope.first});
     world.act<Gravity>(GravityOptions{});
     actAir(world, {.addedMass = 0.3, .objects = {sheet}, .wind = {steady({3, 0, 1}), 0}});
-    world.strand(linksOf(world, 1e-6), {.name = "strands", .damping = 0.1});
+    world.strand(linksOf(world, 1e-6), {.name = "strands", .damping = 0.1}, GENERATE(false, true));
     const auto hashAfter = [&]<class Real>(Real, KernelChoice kernels, int threads) {
         SolverOptions options = stepping(300);
         options.kernels = kernels;
