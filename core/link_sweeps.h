@@ -42,6 +42,7 @@ public:
         }
         rows_.resize(static_cast<std::size_t>(all_.size()));
         blocks_.resize(rows_.size() / blockSize);
+        off_.reserve(ids.size());
         joinLinks(ids, colors);
         active_ = all_;  // its memory
     }

@@ -171,8 +171,8 @@ TurnedLink<T> turned(const StrandLink<T>& link, const Vec<T>& moved, T change) {
 // As solve(), with the changes of multipliers acting along where links come to lie (strand_set.h).
 // Vertex i moves by e_i more, where w is its inverse mass, s the stiffness and p the pull of links:
 //     (1 + w (s_i-1 + s_i)) e_i - w s_i-1 e_i-1 - w s_i e_i+1 = w (p_i-1 - p_i)
-// Diagonally dominant, and the e / w sum to 0. With the added mass of the air, w alone stays on the
-// safe side: it turns less.
+// Diagonally dominant, and the e / w sum to 0. The added mass of the air is left out: a wiggle is
+// then pulled back less than it should be, never too far.
 template <class T, bool inAir>
 void solveTurning(const Sweep<Scalar<T>>& sweep, const StrandBlock<Scalar<T>>& block, int lane) {
     const Vec<T> zero{T(0), T(0), T(0)};

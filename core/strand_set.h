@@ -7,11 +7,11 @@
 // resist compression as they do extension. Links without compliance that contradict each other (two
 // pins further apart than the strand is long) have no solution; give them compliance.
 //
-// With geometric stiffness (Tournier et al., "Stable constrained dynamics", 2015, section 4) the
-// multipliers that an evaluation finds act not along where links were, but along where they come to
-// lie: what a taut strand has against being turned is then implicit, and a wave across it may pass
-// many links in a substep (methods/README.md). Theirs is of the step before and part of one system;
-// here it is of the multipliers just found, in a second one, so that nothing is kept.
+// With geometric stiffness (Tournier et al., "Stable constrained dynamics", 2015) the multipliers
+// that an evaluation finds act not along where links were, but, where they pull, along where they
+// come to lie: what a taut strand has against being turned is then implicit, and a wave across it
+// may pass many links in a substep (methods/README.md). Theirs is of the step before and part of
+// one system; here it is of the multipliers just found, in a second one, so that nothing is kept.
 #pragma once
 
 #include "constraint.h"
