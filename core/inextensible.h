@@ -13,15 +13,19 @@
 namespace plait {
 
 struct SheetOptions {
-    double compliance = 0;  // m/N, of every edge; where it is not 0, nothing bounds how far the
-                            // sheet goes: tethers, aggregates and mending are left out
-    bool strands = true;    // straight ways through the mesh, each solved whole
-    bool geometricStiffness = true;  // of strands
+    double compliance = 0;    // m/N, of every edge; where it is not 0, nothing bounds how far the
+                              // sheet goes: tethers, aggregates and mending are left out
+    bool strands = true;      // straight ways through the mesh, each solved whole
     bool tethers = true;      // how far the sheet lets a vertex be from each pin; pins may move
     bool aggregates = false;  // coarse levels, of more use without strands
     double mending = 0.008;   // part of its length by which an edge may be too long after all this
                               // before it is mended (mend_set.h); 0: none is
     int order = 0;            // of the first of the sets; the others have the next four
+
+    // Of strands (strand_set.h): a half to a third of the substeps for a fine sheet that hangs
+    // free. Off, since strands that contacts wring are straightened through them: one of 41 x 11,
+    // twisted ten turns, crosses itself a thousand times, and without it not at all.
+    bool geometricStiffness = false;
 };
 
 // Constrains every edge of `sheet` to its rest length. From the outside of the palindrome to its

@@ -74,7 +74,8 @@ Scene hangingSheet(const Knobs& knobs) {
                .strands = strands,
                .tethers = solve != "sweeps",
                .aggregates = solve == "aggregates" || solve == "all",
-               .mending = solve == "sweeps" ? 0 : knobs.number("mending") / 100});
+               .mending = solve == "sweeps" ? 0 : knobs.number("mending") / 100,
+               .geometricStiffness = true});
     if (strands) {
         // BDF2 loses less energy, and keeps the crack of the lower edge (at 1.4 s) as noise.
         // That crack presses 16 x 16 as it would no finer sheet: in one frame, with 30, by 1.7 %.
