@@ -139,8 +139,8 @@ TEST_CASE("a frame rate looks more often and changes no substep", "[program]") {
         CHECK(plait::test::plait(folder, words).status == 0);
         return contents(folder / "run/cache/settings.txt");
     };
-    CHECK(contains(settings({}), "substeps=30\n"));
-    CHECK(contains(settings({"--fps", "60"}), "substeps=12\n"));
+    CHECK(contains(settings({}), "substeps=40\n"));
+    CHECK(contains(settings({"--fps", "60"}), "substeps=16\n"));
     CHECK(contains(settings({"--substeps", "7", "--fps", "60"}), "substeps=7\n"));
     CHECK(contains(settings({"--fps", "30000/1001"}), "fps=30000/1001\n"));
 }
