@@ -44,10 +44,35 @@ bool ContactSet<Real>::asForeseen(Workers& workers) const {
     return all;
 }
 
-// Replaces crossing_ by the pairs whose paths cross.
+// Marks the vertices that are heading elsewhere than when paths were last looked at in this substep:
+// all, if they were not yet. Returns whether there are any.
+template <class Real>
+bool ContactSet<Real>::findMoved(Workers& workers) {
+    const bool first = seen_.empty();
+    seen_.resize(end_.size());
+    moved_.resize(end_.size());
+    std::atomic<bool> any{false};
+    workers.forBlocks(static_cast<int>(end_.size()), 1024, [&](int begin, int end) {
+        bool some = false;
+        for (int v = begin; v < end; ++v) {
+            moved_[v] = first || end_[v] != seen_[v];
+            seen_[v] = end_[v];
+            some |= moved_[v] != 0;
+        }
+        if (some) any = true;
+    });
+    return any;
+}
+
+// Replaces crossing_ by the pairs whose paths cross. Of those that have not moved since they were
+// last looked at, the same do.
 template <class Real>
 void ContactSet<Real>::cross(const Sweep<Real>& sweep, Workers& workers) {
     locate(sweep, workers);
+    if (!findMoved(workers) && crossing_.empty()) return;
+    const auto moved = [&](const std::array<int, 4>& v) {
+        return moved_[v[0]] || moved_[v[1]] || moved_[v[2]] || moved_[v[3]];
+    };
     if (asForeseen(workers)) {
         constexpr int block = 1024;
         parts_.resize(std::max(parts_.size(), std::size_t(foreseen_ / block + 1)));
@@ -55,14 +80,17 @@ void ContactSet<Real>::cross(const Sweep<Real>& sweep, Workers& workers) {
         workers.forBlocks(foreseen_ / block + 1, 1, [&](int begin, int end) {
             for (int b = begin; b < end; ++b)
                 for (int i = b * block; i < std::min((b + 1) * block, foreseen_); ++i)
-                    if (!clear(sweep, watches_[i])) check(contacts_[i].pair, parts_[b]);
+                    if (moved(watches_[i].vertices) && !clear(sweep, watches_[i]))
+                        check(contacts_[i].pair, parts_[b]);
         });
     } else {
         counts_.searches += search_.cover(start_, end_, slack_, workers);
         search_.collect(
             parts_, 0.5 * widest_, workers,
-            [&](const Pairing& pair, std::vector<Contact>& list) { check(pair, list); });
+            [&](const Pairing& pair, std::vector<Contact>& list) { check(pair, list); }, moved_);
     }
+    for (const Contact& c : crossing_)
+        if (!moved(c.pair.vertices)) check(c.pair, parts_.front());
     sortParts();
     crossing_.clear();
     for (const Contact* const c : ordered_) crossing_.push_back(*c);

@@ -77,6 +77,7 @@ void ContactSet<Real>::begin(const Substep& substep, Workers&) {
     h_ = substep.h;
     contacts_.clear();
     crossing_.clear();
+    seen_.clear();
     bent_.clear();
     ready_ = false;
 }

@@ -107,12 +107,15 @@ private:
     void part(const Sweep<Real>& sweep, Contact& contact) const;
     void check(const Pairing& pair, std::vector<Contact>& list) const;
     bool asForeseen(Workers& workers) const;
+    bool findMoved(Workers& workers);
     void cross(const Sweep<Real>& sweep, Workers& workers);
     int putBack(const Sweep<Real>& sweep);
 
     ContactOptions options_;
     PairSearch search_;
     std::vector<Vec<double>> rest_, start_, end_, heading_;  // m, by vertex
+    std::vector<Vec<double>> seen_;     // end_ when paths were last looked at; empty: not yet
+    std::vector<std::uint8_t> moved_;   // by vertex: 1 if end_ is another since
     std::vector<unsigned char> pinned_;
     std::vector<double> inverseMass_;  // 1/kg, in contacts
     bool bouncy_ = false;              // something has restitution

@@ -74,17 +74,16 @@ bool PairSearch::known(std::span<const Vec<double>> start, std::span<const Vec<d
     return fewest == 0;
 }
 
-// False, and nothing is known any more, where too many have, one cannot be foreseen, or this has
-// been done so often since all were looked for that by now it has cost as much.
+// False, and nothing is known any more, where one cannot be foreseen, or where this would by now
+// have cost as much as looking for all pairs.
 bool PairSearch::redirect(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                           double slack, Workers& workers) {
-    constexpr int share = 8;  // of all: beyond, looking for all pairs is no dearer
-    constexpr int most = 3;   // times, likewise
-    if (from_.empty() || redirected_ == most ||
-        share * findAstray(start, end, workers) > std::ssize(members_) ||
-        !foreseeAstray(start, end, slack))
-        return false;
-    ++redirected_;
+    if (from_.empty()) return false;
+    // What it costs, as measured: so much by itself, and so much more by vertex. Looking for all
+    // costs as much as an eighth of the vertices.
+    const long all = std::ssize(members_);
+    redirected_ += findAstray(start, end, workers) + all / 256;
+    if (8 * redirected_ > all || !foreseeAstray(start, end, slack)) return false;
     place(from_, to_, workers);
     for (auto& side : groups_)
         for (Group& group : side) {

@@ -137,6 +137,20 @@ float PairSearch::strayed(std::span<const int> ids) const {
     return most;
 }
 
+// Which simplices have a corner that has moved.
+void PairSearch::mark(std::span<const std::uint8_t> moved, Workers& workers) {
+    for (auto& side : groups_)
+        for (Group& group : side) {
+            group.moved.resize(static_cast<std::size_t>(group.count()));
+            workers.forBlocks(group.count(), 1024, [&](int first, int last) {
+                for (int i = first; i < last; ++i) {
+                    group.moved[i] = 0;
+                    for (const int v : group.at(i)) group.moved[i] |= moved[v];
+                }
+            });
+        }
+}
+
 // Adds parts of what was found by its bounds and is near enough.
 void PairSearch::sift(Meeting& m, Workers& workers) {
     const auto pairs = m.found.pairs();

@@ -34,10 +34,11 @@ public:
     // Calls visit(pair, list) for all pairs that may have come within `reach` (m, at most the
     // largest thickness twice, as wide as it counts, and the slack) between the start and end last
     // covered, in parts that are the same for any number of threads. How many it leaves out depends
-    // on when pairs were looked for: visit must decide for itself.
+    // on when pairs were looked for: visit must decide for itself. Given `moved` (by vertex), pairs
+    // are left out of which no vertex has moved.
     template <class Item, class Visit>
     void collect(std::vector<std::vector<Item>>& parts, double reach, Workers& workers,
-                 const Visit& visit) const;
+                 const Visit& visit, std::span<const std::uint8_t> moved = {});
 
     long size() const;  // pairs in the list
     const std::vector<Surface>& surfaces() const { return surfaces_; }
@@ -64,6 +65,7 @@ private:
         std::vector<float> strayed{};  // m: how far each is off the way foreseen, at most
         std::vector<float> reach{};    // m: how near others must come to be listed with each
         std::vector<std::uint8_t> isAstray{};  // 1: a corner is
+        std::vector<std::uint8_t> moved{};     // 1: a corner has
         std::vector<int> astray{};             // those
         int count() const { return static_cast<int>(ids.size()) / arity; }
         std::span<const int> at(int i) const {
@@ -109,6 +111,7 @@ private:
     // How far apart they are at least on their way to where they are heading, m.
     std::array<float, 4> nearing(const Meeting& meeting, std::span<const Listed, 4> four) const;
     float strayed(std::span<const int> ids) const;
+    void mark(std::span<const std::uint8_t> moved, Workers& workers);
     void place(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                Workers& workers);
     void follow(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
@@ -128,7 +131,7 @@ private:
     // rigidly against that.
     std::vector<Vec<double>> from_, to_, due_;
     int passed_ = 0;
-    int redirected_ = 0;  // times since all pairs were looked for
+    long redirected_ = 0;  // what that cost since all pairs were looked for, in vertices
     Rigid moved_;
     std::vector<std::uint8_t> astray_;  // by vertex: 1 where it was not to be
     Vec<double> origin_{};              // of bounds, m
@@ -144,7 +147,9 @@ private:
 
 template <class Item, class Visit>
 void PairSearch::collect(std::vector<std::vector<Item>>& parts, double reach, Workers& workers,
-                         const Visit& visit) const {
+                         const Visit& visit, std::span<const std::uint8_t> moved) {
+    const bool all = moved.empty();
+    if (!all) mark(moved, workers);
     std::size_t count = 0;
     for (const Meeting& m : meetings_) {
         const std::size_t blocks = m.kept.size();
@@ -164,6 +169,7 @@ void PairSearch::collect(std::vector<std::vector<Item>>& parts, double reach, Wo
                 };
                 for (const Listed& l :
                      std::span(m.near).subspan(std::size_t(b) * part, m.kept[b])) {
+                    if (!all && !m.a->moved[l.a] && !m.b->moved[l.b]) continue;
                     const float way = m.a->strayed[l.a] + m.b->strayed[l.b];
                     if (l.apart > way + static_cast<float>(reach)) continue;
                     four[waiting++] = l;
