@@ -51,6 +51,9 @@ public:
     // The last word on positions, after all sweeps, in a world with contacts: in turns, contacts
     // last. Returns the counted work, 0 where nothing was moved.
     virtual long finish(const Sweep<Real>&, Workers&) { return 0; }
+    // Contacts, after that and in turns until none does anything more: what passes through all the
+    // same goes back to where the substep began. Returns how many vertices that moves.
+    virtual long holdBack(const Sweep<Real>&, Workers&) { return 0; }
 
     // After the velocities: what a bounce leaves and the change of positions does not show.
     virtual void rebound(State<Real>&) const {}

@@ -94,21 +94,27 @@ Sweep<Real> Solver<Real>::sweepOf(int set) {
     return sweep;
 }
 
-// Until neither leaves the other anything to do, or contacts have had the last word often enough.
-// Where another method took the substep, contacts alone: it knows nothing of mending.
+// Until neither leaves the other anything to do, or contacts have had the last word often enough:
+// what one set of them parts, the next may press together. After five rounds a link of a whirling
+// skirt was left 11 % too long in one frame of sixty. Where another method took the substep,
+// contacts alone: it knows nothing of mending.
 template <class Real>
 void Solver<Real>::finishSets() {
     if (contacts_.empty()) return;
-    constexpr int rounds = 5;
+    constexpr int rounds = 20;
     for (int round = 0; round < rounds; ++round) {
         long mended = 0, parted = 0;
         for (int s = 0; s < static_cast<int>(sets_.size()) && !whole_; ++s)
             if (std::ranges::find(contacts_, s) == contacts_.end())
                 mended += sets_[s]->finish(sweepOf(s), workers_);
-        if (round > 0 && mended == 0) return;
+        if (round > 0 && mended == 0 && contacts_.size() == 1) break;
         for (const int s : contacts_) parted += sets_[s]->finish(sweepOf(s), workers_);
         evaluations_ += mended + parted;
-        if (parted == 0) return;
+        if (parted == 0) break;
+    }
+    for (bool held = true; held;) {
+        held = false;
+        for (const int s : contacts_) held |= sets_[s]->holdBack(sweepOf(s), workers_) > 0;
     }
 }
 

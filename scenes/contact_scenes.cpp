@@ -1,6 +1,7 @@
 // Cloth that lies, hangs and slides on things and on itself.
 #include "basics.h"
 #include "bodies.h"
+#include "contacts/collider.h"
 #include "forces/gravity.h"
 #include "measures.h"
 #include "stencils.h"
@@ -10,28 +11,46 @@
 #include <vector>
 
 namespace plait {
+namespace {
+
+constexpr double ballRadius = 0.25;  // m
+
+// A ball needs no mesh to be met: its vertices and edges would be contacts by the thousand that a
+// formula has none of. What is drawn, and what crossings are asked of, is the mesh in any case.
+void layOn(World& world, Range cloth, Range ball, const Knobs& knobs) {
+    const double friction = knobs.number("friction"), thickness = knobs.number("thickness");
+    const Surface sheet = roughSurface(cloth, thickness, friction);
+    Surface mesh = roughSurface(ball, thickness, friction);
+    mesh.self = Self::none;
+    if (knobs.text("ball") == "mesh") return meet(world, {sheet, mesh}, {.order = 4});
+    collide(world,
+            {{.solid = Solid::sphere(ballRadius + thickness),
+              .frame = {.origin = {0, -ballRadius, 0}},
+              .staticFriction = friction,
+              .dynamicFriction = friction}},
+            {sheet}, {.order = 4});
+    meet(world, {sheet}, {.order = 5});
+}
+
+}  // namespace
 
 // 1 m of cotton falls from 5 cm above a ball of 25 cm radius.
 Scene sheetOnSphere(const Knobs& knobs) {
     Scene scene;
     World& world = scene.world;
     const int n = knobs.byQuality(32, 64, 128);
-    constexpr double radius = 0.25;
-    const double friction = knobs.number("friction"), thickness = knobs.number("thickness");
     const Range cloth =
         world.add(grid({.columns = n, .rows = n},
                        {.origin = {-0.5, 0.05, 0.5}, .across = {1, 0, 0}, .up = {0, 0, -1}}),
                   {.density = 0.15});
-    const Range ball =
-        world.add(sphere({.subdivisions = 4, .radius = radius}, {.origin = {0, -radius, 0}}));
+    const Range ball = world.add(
+        sphere({.subdivisions = 4, .radius = ballRadius}, {.origin = {0, -ballRadius, 0}}));
     world.pin(pointStencils(ball));
     world.act<Gravity>(GravityOptions{});
     const std::vector<int> threads =
         weave(world, cloth, gridThreads(n), 15, "", knobs.number("mending") / 100);
     world.constrain(bendRows(world.complex, cloth, world.rest, 1e-6), {.name = "bend", .order = 3});
-    Surface body = roughSurface(ball, thickness, friction);
-    body.self = Self::none;
-    meet(world, {roughSurface(cloth, thickness, friction), body}, {.order = 4});
+    layOn(world, cloth, ball, knobs);
     scene.options.schedule = {
         .substeps = knobs.byQuality(16, 32, 64), .iterations = 2, .collisionPasses = 2};
     scene.options.damping = 0.05;

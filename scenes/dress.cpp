@@ -278,7 +278,8 @@ Scene dress(const Knobs& knobs) {
          {surface(outside, Self::full), surface(inside, Self::full), surface(body, Self::none)},
          {.detection = knobs.text("detection") == "path" ? Detection::path : Detection::end,
           .order = 4});
-    scene.options.schedule = {.substeps = 24, .iterations = 24, .collisionPasses = 24};
+    scene.options.schedule = {
+        .substeps = knobs.byQuality(24, 24, 48), .iterations = 24, .collisionPasses = 24};
     scene.options.damping = 0.02;
     scene.lead = lead;
     scene.seconds = wearer.seconds;

@@ -137,6 +137,57 @@ TEST_CASE("colliders: what turns hits its target with finer base steps only", "[
     }
 }
 
+// A light sheet between a floor and a plate 10,000 times as heavy, which only the sheet keeps from
+// the floor: what parts it from one presses it into the other, and no number of passes would settle
+// it. Neither is gone through.
+TEST_CASE("colliders: what falls on a sheet on a floor presses it into neither", "[colliders]") {
+    const bool floorFirst = GENERATE(true, false);
+    World world;
+    const Frame above{.origin = {-0.2, 2 * skin, 0.2}, .up = {0, 0, -1}};
+    const Range sheet = world.add(
+        grid({.columns = 9, .rows = 9, .width = 0.4, .height = 0.4}, above), {.density = 0.1});
+    Frame higher = above;
+    higher.origin += Vec<double>{0.05, 0.3, -0.05};
+    const Range plate = world.add(
+        grid({.columns = 4, .rows = 4, .width = 0.3, .height = 0.3}, higher), {.density = 1000});
+    for (const Range& part : {sheet, plate})
+        world.constrain(restRows<Stretch>(edgeStencils(world.complex, part), world.rest),
+                        {.name = part.first == sheet.first ? "sheet" : "plate"});
+    world.act<Gravity>(GravityOptions{});
+    const auto stand = [&] { collide(world, {hard(Solid::plane(), 0.3)}, {rough(sheet, 0.3)}); };
+    if (floorFirst) stand();
+    meet(world, {rough(sheet, 0.3), rough(plate, 0.3)});
+    if (!floorFirst) stand();
+    Solver<float> solver(world, meeting(2));
+    double lowest = 1;
+    int crossings = 0;
+    for (int frame = 0; frame < 24; ++frame) {
+        solver.frame();
+        const Points x = solver.positions();
+        for (const Vec<double>& p : x) lowest = std::min(lowest, p.y);
+        crossings += countIntersections(x, trianglesOf(world));
+    }
+    note("lowest, m", lowest);
+    CHECK(lowest > 0);
+    CHECK(crossings == 0);
+    CHECK(solver.failures() == 0);
+}
+
+TEST_CASE("colliders: a vertex that two of them close on is counted as failed", "[colliders]") {
+    World world;
+    const Range point = addPoint(world, {0, 0.05, 0});
+    Collider press = hard(Solid::box(1, 0.2, 1), 0);
+    press.motion = [](double t) { return Frame{.origin = {0, 0.3 - 0.6 * t, 0}}; };
+    collide(world, {hard(Solid::plane(), 0), press}, {rough(point, 0)});
+    Solver<float> solver(world, meeting(4));
+    for (int frame = 0; frame < 7; ++frame) {
+        solver.frame();
+        CHECK(solver.failures() == 0);  // it is pushed down, and there is room
+    }
+    solver.frame();
+    CHECK(solver.failures() > 0);
+}
+
 TEST_CASE("colliders: what begins inside comes out, and slowly", "[colliders]") {
     for (const auto& [name, solid] : solids) {
         World world;

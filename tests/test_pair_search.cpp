@@ -26,9 +26,8 @@ PairSearch searchOf(const SimplicialComplex& complex, double margin) {
 }
 
 // As contacts choose them.
-std::vector<std::tuple<int, std::array<int, 4>>> chosen(const PairSearch& search,
-                                                        const Points& start, const Points& end,
-                                                        Workers& workers) {
+std::vector<std::tuple<int, std::array<int, 4>>> chosen(PairSearch& search, const Points& start,
+                                                        const Points& end, Workers& workers) {
     std::vector<std::vector<Pairing>> parts;
     search.collect(parts, 3 * slack, workers, [&](const Pairing& pair, std::vector<Pairing>& list) {
         PairPoints from, to;

@@ -36,9 +36,10 @@ struct World;
 // Adds the set that keeps every vertex of these surfaces its thickness or radius outside of all
 // these colliders, however fast, on the surfaces' terms; their layers, and whether they meet
 // themselves, play no part. Only vertices: an edge between two may cut a corner; where that shows,
-// pin a mesh and let it meet(). Where matter meets matter too, call this before meet(), so that
-// paths that cross have the last word. Throws std::invalid_argument, naming the value, for one out
-// of range; so does a frame of the solver if a motion gives no frame.
+// pin a mesh and let it meet(). Where lengths leave no room for it (mending), all but a quarter of
+// the thickness gives way; and where matter meets matter too, neither has the last word: what one
+// would push through the other stays where the substep began. Throws std::invalid_argument, naming
+// the value, for one out of range; so does a frame of the solver if a motion gives no frame.
 void collide(World& world, const std::vector<Collider>& colliders,
              const std::vector<Surface>& surfaces, const ColliderOptions& options = {});
 

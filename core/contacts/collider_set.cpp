@@ -193,16 +193,59 @@ void ColliderSet<Real>::project(const Sweep<Real>& sweep, Direction direction, W
     });
 }
 
+// Whether a vertex came within a quarter of its gap: the rest of it gives way, as between other
+// contacts, where lengths leave no room for both. What began inside comes out as slowly as it may.
 template <class Real>
-long ColliderSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
-    std::atomic<long> pushed{0};
+bool ColliderSet<Real>::passes(const Sweep<Real>& sweep, int m, std::size_t b) const {
+    const Member& member = members_[m];
+    const Body& body = bodies_[b];
+    const Real* const p = sweep.particles + 8 * member.vertex;
+    const Vec<double> now = three(p + 4), before = three(sweep.before + 4 * member.vertex);
+    const Vec<double> way = now - before;
+    if (dot(way, way) < free_[m * bodies_.size() + b]) return false;
+    const Solid& solid = body.collider.solid;
+    const Vec<double> start = body.before.own(three(p) + before);
+    const Side from = sideOf(solid, start);
+    if (from.distance <= 0) return false;
+    const double gap = 0.25 * std::min(gapOf(member, from), from.distance);
+    return reaches(solid, start, body.now.own(three(p) + now), gap).has_value();
+}
+
+// How often act(member, body) is true where one passes the other.
+template <class Real>
+template <class Act>
+long ColliderSet<Real>::whereItPasses(Workers& workers, const Sweep<Real>& sweep, const Act& act) {
+    std::atomic<long> sum{0};
     workers.forBlocks(static_cast<int>(members_.size()), grain, [&](int begin, int end) {
         long count = 0;
         for (int m = begin; m < end; ++m)
-            for (std::size_t b = 0; b < bodies_.size(); ++b) count += part(sweep, m, b);
-        pushed += count;
+            for (std::size_t b = 0; b < bodies_.size(); ++b)
+                if (passes(sweep, m, b)) count += act(m, b);
+        sum += count;
     });
-    return pushed;
+    return sum;
+}
+
+template <class Real>
+long ColliderSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
+    return whereItPasses(workers, sweep, [&](int m, std::size_t b) { return part(sweep, m, b); });
+}
+
+// Where a collider moves over a vertex, going back would not keep it outside: then it has failed.
+template <class Real>
+long ColliderSet<Real>::holdBack(const Sweep<Real>& sweep, Workers& workers) {
+    std::atomic<long> failed{0};
+    const long held = whereItPasses(workers, sweep, [&](int m, std::size_t b) {
+        Real* const d = sweep.particles + 8 * members_[m].vertex + 4;
+        const Vec<Real> was{d[0], d[1], d[2]};
+        const bool moved = putBack(sweep, members_[m].vertex);
+        if (moved && !passes(sweep, m, b)) return true;
+        std::copy_n(&was.x, 3, d);
+        ++failed;
+        return false;
+    });
+    failed_ += failed;
+    return held;
 }
 
 template <class Real>

@@ -23,8 +23,10 @@ public:
     void strike(const Sweep<Real>& sweep, const State<Real>& state, Workers& workers) override;
     void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override;
     long finish(const Sweep<Real>& sweep, Workers& workers) override;
+    long holdBack(const Sweep<Real>& sweep, Workers& workers) override;
     void rebound(State<Real>& state) const override;
     void markTouched(std::vector<std::uint8_t>& touched) const override;
+    long failures() const override { return failed_; }
     long size() const override { return static_cast<long>(rows_.size()); }
 
 private:
@@ -57,6 +59,9 @@ private:
     Plane touch(const Member& member, const Body& body, const Vec<double>& start,
                 const Vec<double>& end) const;
     bool part(const Sweep<Real>& sweep, int member, std::size_t body);
+    bool passes(const Sweep<Real>& sweep, int member, std::size_t body) const;
+    template <class Act>
+    long whereItPasses(Workers& workers, const Sweep<Real>& sweep, const Act& act);
     bool strike(const Member& member, Path& path) const;
 
     ColliderOptions options_;
@@ -70,6 +75,7 @@ private:
     std::vector<std::uint8_t> bent_;  // by member
     double h_ = 0;                    // s
     bool ready_ = false;              // rows_ are those of this substep
+    long failed_ = 0;                 // times that a vertex was left inside
 };
 
 extern template class ColliderSet<float>;

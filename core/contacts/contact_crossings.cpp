@@ -1,5 +1,6 @@
 // The last word of a substep: what still crosses.
 #include "contact_set.h"
+#include "reals.h"
 
 #include <algorithm>
 #include <atomic>
@@ -44,8 +45,8 @@ bool ContactSet<Real>::asForeseen(Workers& workers) const {
     return all;
 }
 
-// Marks the vertices that are heading elsewhere than when paths were last looked at in this substep:
-// all, if they were not yet. Returns whether there are any.
+// Marks the vertices that are heading elsewhere than when paths were last looked at in this
+// substep: all, if they were not yet. Returns whether there are any.
 template <class Real>
 bool ContactSet<Real>::findMoved(Workers& workers) {
     const bool first = seen_.empty();
@@ -113,6 +114,21 @@ long ContactSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
         ++counts_.passes;
         cross(sweep, workers);
     }
+    putAllBack(sweep, workers);
+    return work;
+}
+
+template <class Real>
+long ContactSet<Real>::holdBack(const Sweep<Real>& sweep, Workers& workers) {
+    if (options_.detection == Detection::end) return 0;
+    cross(sweep, workers);
+    return putAllBack(sweep, workers);
+}
+
+// Until nothing crosses but what is where the substep began. Returns how many vertices that moves.
+template <class Real>
+long ContactSet<Real>::putAllBack(const Sweep<Real>& sweep, Workers& workers) {
+    long sum = 0;
     while (!crossing_.empty()) {
         const int held = putBack(sweep);
         contacts_.insert(contacts_.end(), crossing_.begin(), crossing_.end());
@@ -120,12 +136,13 @@ long ContactSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
             counts_.failed += static_cast<long>(crossing_.size());
             for (const Contact& c : crossing_)
                 if (failures_) failures_->fail(c.pair, counts_);
-            return work;
+            break;
         }
-        counts_.heldBack += held;
+        sum += held;
         cross(sweep, workers);
     }
-    return work;
+    counts_.heldBack += sum;
+    return sum;
 }
 
 // What crosses goes back to where the substep began. Returns how many vertices that moves.
@@ -134,10 +151,7 @@ int ContactSet<Real>::putBack(const Sweep<Real>& sweep) {
     int held = 0;
     for (Contact& c : crossing_)
         for (const int v : c.pair.vertices) {
-            Real* const d = sweep.particles + 8 * v + 4;
-            const Real* const b = sweep.before + 4 * v;
-            if (pinned_[v] || (d[0] == b[0] && d[1] == b[1] && d[2] == b[2])) continue;
-            std::copy_n(b, 3, d);
+            if (pinned_[v] || !plait::putBack(sweep, v)) continue;
             c.push = 1;  // pushed, for those who ask
             ++held;
         }

@@ -51,6 +51,7 @@ public:
     void begin(const Substep& substep, Workers& workers) override;
     void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override;
     long finish(const Sweep<Real>& sweep, Workers& workers) override;
+    long holdBack(const Sweep<Real>& sweep, Workers& workers) override;
     void strike(const Sweep<Real>& sweep, const State<Real>& state, Workers& workers) override;
     void rebound(State<Real>& state) const override;
     void markTouched(std::vector<std::uint8_t>& touched) const override;
@@ -110,12 +111,13 @@ private:
     bool findMoved(Workers& workers);
     void cross(const Sweep<Real>& sweep, Workers& workers);
     int putBack(const Sweep<Real>& sweep);
+    long putAllBack(const Sweep<Real>& sweep, Workers& workers);
 
     ContactOptions options_;
     PairSearch search_;
     std::vector<Vec<double>> rest_, start_, end_, heading_;  // m, by vertex
-    std::vector<Vec<double>> seen_;     // end_ when paths were last looked at; empty: not yet
-    std::vector<std::uint8_t> moved_;   // by vertex: 1 if end_ is another since
+    std::vector<Vec<double>> seen_;    // end_ when paths were last looked at; empty: not yet
+    std::vector<std::uint8_t> moved_;  // by vertex: 1 if end_ is another since
     std::vector<unsigned char> pinned_;
     std::vector<double> inverseMass_;  // 1/kg, in contacts
     bool bouncy_ = false;              // something has restitution

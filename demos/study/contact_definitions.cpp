@@ -129,6 +129,9 @@ Study sphereStudy() {
                          "substeps", {"8", "16", "32", "64", "128"}),
                     over("n x 4, 4 passes", sweeping({{"iterations", "4"}, {"passes", "4"}}),
                          "substeps", {"8", "16", "32", "64"}),
+                    over("n x 2, 2 passes, the ball a mesh",
+                         sweeping({{"iterations", "2"}, {"passes", "2"}, {"knob.ball", "mesh"}}),
+                         "substeps", {"8", "16", "32", "64"}),
                     over("16 x 2, 1 to 16 passes", own, "passes", {"1", "4", "8", "16"}),
                     over("16 x 2, mended to 0.1 to 5 %, or not", own, "knob.mending",
                          {"0.1", "0.2", "0.5", "2", "5", "0"})};
