@@ -5,6 +5,7 @@
 #include "reals.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 
@@ -211,10 +212,10 @@ bool ColliderSet<Real>::passes(const Sweep<Real>& sweep, int m, std::size_t b) c
     return reaches(solid, start, body.now.own(three(p) + now), gap).has_value();
 }
 
-// How often act(member, body) is true where one passes the other.
+// How often act(member, body) is true of those that pass.
 template <class Real>
 template <class Act>
-long ColliderSet<Real>::whereItPasses(Workers& workers, const Sweep<Real>& sweep, const Act& act) {
+long ColliderSet<Real>::whereItPasses(const Sweep<Real>& sweep, Workers& workers, const Act& act) {
     std::atomic<long> sum{0};
     workers.forBlocks(static_cast<int>(members_.size()), grain, [&](int begin, int end) {
         long count = 0;
@@ -228,19 +229,19 @@ long ColliderSet<Real>::whereItPasses(Workers& workers, const Sweep<Real>& sweep
 
 template <class Real>
 long ColliderSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
-    return whereItPasses(workers, sweep, [&](int m, std::size_t b) { return part(sweep, m, b); });
+    return whereItPasses(sweep, workers, [&](int m, std::size_t b) { return part(sweep, m, b); });
 }
 
 // Where a collider moves over a vertex, going back would not keep it outside: then it has failed.
 template <class Real>
 long ColliderSet<Real>::holdBack(const Sweep<Real>& sweep, Workers& workers) {
     std::atomic<long> failed{0};
-    const long held = whereItPasses(workers, sweep, [&](int m, std::size_t b) {
+    const long held = whereItPasses(sweep, workers, [&](int m, std::size_t b) {
         Real* const d = sweep.particles + 8 * members_[m].vertex + 4;
-        const Vec<Real> was{d[0], d[1], d[2]};
+        const std::array<Real, 3> was{d[0], d[1], d[2]};
         const bool moved = putBack(sweep, members_[m].vertex);
         if (moved && !passes(sweep, m, b)) return true;
-        std::copy_n(&was.x, 3, d);
+        std::ranges::copy(was, d);
         ++failed;
         return false;
     });

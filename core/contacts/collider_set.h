@@ -61,7 +61,7 @@ private:
     bool part(const Sweep<Real>& sweep, int member, std::size_t body);
     bool passes(const Sweep<Real>& sweep, int member, std::size_t body) const;
     template <class Act>
-    long whereItPasses(Workers& workers, const Sweep<Real>& sweep, const Act& act);
+    long whereItPasses(const Sweep<Real>& sweep, Workers& workers, const Act& act);
     bool strike(const Member& member, Path& path) const;
 
     ColliderOptions options_;

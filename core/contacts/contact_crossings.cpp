@@ -45,10 +45,11 @@ bool ContactSet<Real>::asForeseen(Workers& workers) const {
     return all;
 }
 
-// Marks the vertices that are heading elsewhere than when paths were last looked at in this
-// substep: all, if they were not yet. Returns whether there are any.
+// Finds where vertices are heading, and which of them elsewhere than when that was last asked in
+// this substep: all, if it was not yet. Returns whether there are any.
 template <class Real>
-bool ContactSet<Real>::findMoved(Workers& workers) {
+bool ContactSet<Real>::findMoved(const Sweep<Real>& sweep, Workers& workers) {
+    locate(sweep, workers);
     const bool first = seen_.empty();
     seen_.resize(end_.size());
     moved_.resize(end_.size());
@@ -65,12 +66,15 @@ bool ContactSet<Real>::findMoved(Workers& workers) {
     return any;
 }
 
-// Replaces crossing_ by the pairs whose paths cross. Of those that have not moved since they were
-// last looked at, the same do.
+// Replaces crossing_ by the pairs whose paths cross.
 template <class Real>
 void ContactSet<Real>::cross(const Sweep<Real>& sweep, Workers& workers) {
-    locate(sweep, workers);
-    if (!findMoved(workers) && crossing_.empty()) return;
+    if (findMoved(sweep, workers) || !crossing_.empty()) crossMoved(sweep, workers);
+}
+
+// Of those that have not moved the same cross as before.
+template <class Real>
+void ContactSet<Real>::crossMoved(const Sweep<Real>& sweep, Workers& workers) {
     const auto moved = [&](const std::array<int, 4>& v) {
         return moved_[v[0]] || moved_[v[1]] || moved_[v[2]] || moved_[v[3]];
     };
@@ -120,8 +124,8 @@ long ContactSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
 
 template <class Real>
 long ContactSet<Real>::holdBack(const Sweep<Real>& sweep, Workers& workers) {
-    if (options_.detection == Detection::end) return 0;
-    cross(sweep, workers);
+    if (options_.detection == Detection::end || !findMoved(sweep, workers)) return 0;
+    crossMoved(sweep, workers);
     return putAllBack(sweep, workers);
 }
 

@@ -108,8 +108,9 @@ private:
     void part(const Sweep<Real>& sweep, Contact& contact) const;
     void check(const Pairing& pair, std::vector<Contact>& list) const;
     bool asForeseen(Workers& workers) const;
-    bool findMoved(Workers& workers);
+    bool findMoved(const Sweep<Real>& sweep, Workers& workers);
     void cross(const Sweep<Real>& sweep, Workers& workers);
+    void crossMoved(const Sweep<Real>& sweep, Workers& workers);
     int putBack(const Sweep<Real>& sweep);
     long putAllBack(const Sweep<Real>& sweep, Workers& workers);
 
