@@ -3,10 +3,10 @@
 // derives from this as well.
 #pragma once
 
-#include "kernels.h"
+#include "kernels/kernels.h"
+#include "kernels/workers.h"
 #include "state.h"
 #include "terms.h"
-#include "workers.h"
 
 #include <span>
 #include <string>

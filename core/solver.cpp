@@ -1,10 +1,10 @@
 #include "solver.h"
 
-#include "elementary.h"
-#include "measure/finite.h"
 #include "measure/hash.h"
 #include "methods/nucleus.h"
 #include "methods/xpbd.h"
+#include "numbers/elementary.h"
+#include "numbers/finite.h"
 
 #include <algorithm>
 #include <cmath>

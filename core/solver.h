@@ -2,14 +2,14 @@
 // read first.
 #pragma once
 
-#include "chebyshev.h"
 #include "constraint.h"
-#include "forces/force.h"
-#include "methods/whole_step.h"
+#include "force.h"
+#include "kernels/workers.h"
+#include "methods/chebyshev.h"
 #include "schedule.h"
 #include "solver_options.h"
 #include "state.h"
-#include "workers.h"
+#include "whole_step.h"
 #include "world.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // How a world is taken through time.
 #pragma once
 
-#include "kernels.h"
+#include "kernels/kernels.h"
 #include "schedule.h"
 
 #include <limits>

@@ -1,7 +1,7 @@
 // What the solver does vertex by vertex: integration, pins, and where a run begins.
 #include "constraints/constants.h"
-#include "elementary.h"
-#include "measure/finite.h"
+#include "numbers/elementary.h"
+#include "numbers/finite.h"
 #include "solver.h"
 
 #include <cmath>

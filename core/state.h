@@ -1,7 +1,7 @@
 // The numbers of a run: what moves, and nothing about why.
 #pragma once
 
-#include "math.h"
+#include "numbers/math.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,9 +2,9 @@
 // one after another, of the simplices that lie wholly in `range`.
 #pragma once
 
-#include "complex.h"
+#include "complex/complex.h"
 #include "constraints/kinds.h"
-#include "rows.h"
+#include "constraints/rows.h"
 
 #include <vector>
 

@@ -3,8 +3,8 @@
 // they are a potential U = C^2 / (2 alpha), or a constraint C = 0 where alpha is 0.
 #pragma once
 
-#include "arctangent.h"
-#include "dual.h"
+#include "numbers/arctangent.h"
+#include "numbers/dual.h"
 #include "state.h"
 
 #include <span>

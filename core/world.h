@@ -2,15 +2,15 @@
 // Solvers of either precision are made from it, any number of them.
 #pragma once
 
-#include "aggregate_set.h"
-#include "constraint_set.h"
-#include "direct_set.h"
-#include "forces/force.h"
-#include "mend_set.h"
-#include "rows.h"
+#include "complex/shapes.h"
+#include "constraints/rows.h"
+#include "force.h"
 #include "schedule.h"
-#include "shapes.h"
-#include "strand_set.h"
+#include "sets/constraint_set.h"
+#include "sets/direct_set.h"
+#include "sheets/aggregates/aggregate_set.h"
+#include "sheets/mend_set.h"
+#include "sheets/strands/strand_set.h"
 
 #include <functional>
 #include <memory>

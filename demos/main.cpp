@@ -1,9 +1,10 @@
 // plait COMMAND ...: finds the command, and turns what it throws into one line and an exit status.
-#include "commands.h"
-#include "errors.h"
-#include "interrupt.h"
-#include "solver_options.h"
-#include "words.h"
+#include "demos/commands/commands.h"
+#include "demos/tools/errors.h"
+#include "demos/tools/interrupt.h"
+#include "demos/tools/words.h"
+
+#include <plait/solver_options.h>
 
 #include <cstdio>
 #include <exception>

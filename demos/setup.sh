@@ -64,7 +64,7 @@ build() {  # PRESET FOLDER [TARGET]...
 checkKernels() {
     local isa shared
     for isa in v3 v4; do
-        shared=$(nm -C --defined-only "$1/core/CMakeFiles/kernels_$isa.dir/kernels.cpp.o" |
+        shared=$(find "$1/core/CMakeFiles/kernels_$isa.dir" -name '*.o' -exec nm -C --defined-only {} + |
             grep ' W ' | grep -v "plait::$isa::" || true)
         if [[ $shared ]]; then
             echo "$1: shared functions compiled for $isa:"

@@ -1,7 +1,7 @@
 // A camera between the poses of a view.
 #pragma once
 
-#include "view.h"
+#include "scenes/view.h"
 
 #include <glm/glm.hpp>
 

@@ -1,7 +1,7 @@
 // What materials look like, in numbers for the shaders.
 #pragma once
 
-#include "view.h"
+#include "scenes/view.h"
 
 #include <glm/glm.hpp>
 

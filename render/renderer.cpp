@@ -1,15 +1,15 @@
 #include "renderer.h"
 
-#include "emblem.h"
 #include "finish.h"
-#include "shaders/backdrop.h"
-#include "shaders/cloth.h"
-#include "shaders/shadow.h"
-#include "shaders/skin.h"
-#include "shaders/stage.h"
-#include "shaders/surface.h"
-#include "shaders/tulle.h"
-#include "weave.h"
+#include "render/shaders/backdrop.h"
+#include "render/shaders/cloth.h"
+#include "render/shaders/shadow.h"
+#include "render/shaders/skin.h"
+#include "render/shaders/stage.h"
+#include "render/shaders/surface.h"
+#include "render/shaders/tulle.h"
+#include "render/stage/emblem.h"
+#include "render/stage/weave.h"
 
 #include <glm/gtc/constants.hpp>
 

@@ -2,17 +2,17 @@
 #pragma once
 
 #include "camera.h"
-#include "context.h"
 #include "finish.h"
-#include "floor_mirror.h"
-#include "gpu.h"
-#include "grade.h"
 #include "overlay.h"
-#include "picture.h"
-#include "scene.h"
-#include "shadow.h"
-#include "skin.h"
-#include "veils.h"
+#include "render/gl/context.h"
+#include "render/gl/gpu.h"
+#include "render/matter/skin.h"
+#include "render/matter/veils.h"
+#include "render/pictures/picture.h"
+#include "render/stage/floor_mirror.h"
+#include "render/stage/grade.h"
+#include "render/stage/shadow.h"
+#include "scenes/scene.h"
 
 #include <map>
 #include <optional>

@@ -1,6 +1,6 @@
+#include "render/shaders/backdrop.h"
+#include "render/shaders/shadow.h"
 #include "renderer.h"
-#include "shaders/backdrop.h"
-#include "shaders/shadow.h"
 
 #include <algorithm>
 #include <cmath>

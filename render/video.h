@@ -1,9 +1,10 @@
 // Pictures to moving pictures.
 #pragma once
 
-#include "picture.h"
-#include "schedule.h"
-#include "whole_file.h"
+#include "render/pictures/picture.h"
+#include "render/pictures/whole_file.h"
+
+#include <plait/schedule.h>
 
 #include <cstdint>
 #include <filesystem>

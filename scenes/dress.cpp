@@ -1,16 +1,17 @@
 #include "dress.h"
 
-#include "ballerina.h"
-#include "contacts/surface.h"
-#include "elementary.h"
-#include "forces/air.h"
-#include "forces/gravity.h"
-#include "measures.h"
-#include "mesh_sequence.h"
-#include "seam.h"
-#include "stencils.h"
-#include "views.h"
-#include "woven.h"
+#include "ballerina/ballerina.h"
+#include "parts/measures.h"
+#include "parts/seam.h"
+#include "parts/views.h"
+#include "parts/woven.h"
+
+#include <plait/contacts/surface.h>
+#include <plait/files/mesh_sequence.h>
+#include <plait/forces/air.h>
+#include <plait/forces/gravity.h>
+#include <plait/numbers/elementary.h>
+#include <plait/stencils.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,15 +1,16 @@
 #include "flag.h"
 
-#include "contacts/surface.h"
-#include "elementary.h"
-#include "forces/air.h"
-#include "forces/gravity.h"
-#include "inextensible.h"
-#include "measures.h"
-#include "mesh_file.h"
-#include "stencils.h"
-#include "views.h"
-#include "woven.h"
+#include "parts/measures.h"
+#include "parts/views.h"
+#include "parts/woven.h"
+
+#include <plait/contacts/surface.h>
+#include <plait/files/mesh_file.h>
+#include <plait/forces/air.h>
+#include <plait/forces/gravity.h>
+#include <plait/numbers/elementary.h>
+#include <plait/sheets/inextensible.h>
+#include <plait/stencils.h>
 
 #include <algorithm>
 #include <array>

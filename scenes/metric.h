@@ -2,7 +2,7 @@
 // to its promise, so that a picture never has to be trusted.
 #pragma once
 
-#include "math.h"
+#include <plait/numbers/math.h>
 
 #include <functional>
 #include <limits>

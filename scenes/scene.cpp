@@ -1,6 +1,6 @@
 #include "scene.h"
 
-#include "basics.h"
+#include "basics/basics.h"
 #include "dress.h"
 #include "flag.h"
 

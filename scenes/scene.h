@@ -5,9 +5,10 @@
 
 #include "knob.h"
 #include "metric.h"
-#include "solver_options.h"
 #include "view.h"
-#include "world.h"
+
+#include <plait/solver_options.h>
+#include <plait/world.h>
 
 #include <span>
 #include <string>

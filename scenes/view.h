@@ -2,8 +2,8 @@
 // in pixels is the business of render/. Metres, y up.
 #pragma once
 
-#include "complex.h"
-#include "shapes.h"
+#include <plait/complex/complex.h>
+#include <plait/complex/shapes.h>
 
 #include <array>
 #include <functional>

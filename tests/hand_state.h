@@ -1,7 +1,7 @@
 // A state made from a world without a solver, and forces that act on it alone.
 #pragma once
 
-#include "world.h"
+#include <plait/world.h>
 
 #include <initializer_list>
 

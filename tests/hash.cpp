@@ -1,7 +1,8 @@
 // One line a scene and precision, "name precision hash": the state after 4 frames of draft. Every
 // compiler, level, lane width and number of threads must agree on it (tests/run --long compares).
-#include "scene.h"
-#include "solver.h"
+#include "scenes/scene.h"
+
+#include <plait/solver.h>
 
 #include <cstdio>
 

@@ -1,7 +1,7 @@
 // Reproducible numbers for tests: the same on every compiler, unlike the library's distributions.
 #pragma once
 
-#include "math.h"
+#include <plait/numbers/math.h>
 
 #include <cstdint>
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "random.h"
-#include "shapes.h"
+
+#include <plait/complex/shapes.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // and which has tests of its own.
 #pragma once
 
-#include "scene.h"
+#include "scenes/scene.h"
 
 #include <algorithm>
 #include <vector>

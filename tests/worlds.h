@@ -1,10 +1,10 @@
 // Small worlds that tests start from, and what it takes to run them step by step.
 #pragma once
 
-#include "forces/gravity.h"
-#include "measure/strain.h"
-#include "solver.h"
-#include "stencils.h"
+#include <plait/forces/gravity.h>
+#include <plait/measure/strain.h>
+#include <plait/solver.h>
+#include <plait/stencils.h>
 
 #include <algorithm>
 #include <array>

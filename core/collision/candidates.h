@@ -1,7 +1,7 @@
 // Pairs of primitives whose bounds overlap: what the queries are asked about.
 #pragma once
 
-#include "../workers.h"
+#include "../kernels/workers.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,7 +1,7 @@
 // Numbers of twice the digits of a double, for what double cannot decide.
 #pragma once
 
-#include "../exact.h"
+#include "../numbers/exact.h"
 
 namespace plait {
 

@@ -3,7 +3,7 @@
 // k-DOPs, 1998).
 #pragma once
 
-#include "../math.h"
+#include "../numbers/math.h"
 
 #include <xmmintrin.h>
 #include <algorithm>

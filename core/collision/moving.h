@@ -1,7 +1,7 @@
 // Where a vertex goes in a step.
 #pragma once
 
-#include "../math.h"
+#include "../numbers/math.h"
 
 namespace plait {
 

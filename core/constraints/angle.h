@@ -7,7 +7,7 @@
 // gradient is zero.
 #pragma once
 
-#include "../arctangent.h"
+#include "../numbers/arctangent.h"
 #include "constants.h"
 
 namespace plait {

@@ -5,7 +5,7 @@
 // finite up to pi, and the difference is taken the short way round [DC6, X2].
 #pragma once
 
-#include "../arctangent.h"
+#include "../numbers/arctangent.h"
 #include "constants.h"
 
 namespace plait {

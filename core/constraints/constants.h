@@ -12,7 +12,7 @@
 // Kinds do not know particles, sets, methods or time.
 #pragma once
 
-#include "../math.h"
+#include "../numbers/math.h"
 
 namespace plait {
 inline namespace PLAIT_ISA {

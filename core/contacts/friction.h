@@ -2,7 +2,7 @@
 // with as much as friction allows.
 #pragma once
 
-#include "../math.h"
+#include "../numbers/math.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // Thickness and mode of what meets itself, from the size of its triangles (M 4.5.1).
 #pragma once
 
-#include "../complex.h"
-#include "../math.h"
+#include "../complex/complex.h"
+#include "../numbers/math.h"
 #include "surface.h"
 
 #include <span>

@@ -7,7 +7,7 @@
 // core/collision; whether anything did cross is counted by core/measure, which uses none of this.
 #pragma once
 
-#include "../shapes.h"
+#include "../complex/shapes.h"
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
-#include "forces/air.h"
+#include "air.h"
 
-#include "forces/noise.h"
-#include "world.h"
+#include "../world.h"
+#include "noise.h"
 
 #include <algorithm>
 #include <cmath>

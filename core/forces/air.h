@@ -32,10 +32,10 @@
 // those of t.
 #pragma once
 
-#include "complex.h"
-#include "forces/force.h"
-#include "forces/skin.h"
-#include "forces/wind.h"
+#include "../complex/complex.h"
+#include "../force.h"
+#include "skin.h"
+#include "wind.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 // (air_kernels.cpp) and chosen at run time. Only plain pointers cross it.
 #pragma once
 
-#include "../kernels.h"
+#include "../kernels/kernels.h"
 
 namespace plait {
 

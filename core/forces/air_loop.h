@@ -2,7 +2,7 @@
 // is in facet.h.
 #pragma once
 
-#include "../lanes.h"
+#include "../numbers/lanes.h"
 #include "air_kernels.h"
 #include "facet.h"
 

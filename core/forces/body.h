@@ -1,8 +1,8 @@
 // What forces that act on mass share: whom they act on, and how acceleration becomes velocity.
 #pragma once
 
-#include "complex.h"
-#include "state.h"
+#include "../complex/complex.h"
+#include "../state.h"
 
 #include <cstdint>
 #include <span>

@@ -2,7 +2,7 @@
 // As in constraints/constants.h: no branches on data, no library, no bare division.
 #pragma once
 
-#include "../math.h"
+#include "../numbers/math.h"
 
 namespace plait {
 inline namespace PLAIT_ISA {

@@ -2,9 +2,9 @@
 // 3.1.2) [IN29]. It knows no surfaces and heeds no space scale (M 6); see air.h for wind.
 #pragma once
 
-#include "forces/body.h"
-#include "forces/force.h"
-#include "world.h"
+#include "../force.h"
+#include "../world.h"
+#include "body.h"
 
 #include <functional>
 

@@ -1,6 +1,6 @@
-#include "forces/gravity.h"
+#include "gravity.h"
 
-#include "world.h"
+#include "../world.h"
 
 #include <cmath>
 

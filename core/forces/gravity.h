@@ -1,8 +1,8 @@
 // Gravity: v <- v + h g, whatever the mass (M 5.2) [AW9, AW10].
 #pragma once
 
-#include "forces/body.h"
-#include "forces/force.h"
+#include "../force.h"
+#include "body.h"
 
 namespace plait {
 

@@ -1,4 +1,4 @@
-#include "forces/noise.h"
+#include "noise.h"
 
 namespace plait {
 namespace {

@@ -1,7 +1,7 @@
 // Coherent noise: what makes gusts of a steady wind.
 #pragma once
 
-#include "math.h"
+#include "../numbers/math.h"
 
 #include <cstdint>
 

@@ -1,7 +1,7 @@
-#include "forces/skin.h"
+#include "skin.h"
 
-#include "forces/body.h"
-#include "world.h"
+#include "../world.h"
+#include "body.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // What of a world the air touches, laid out for its kernels.
 #pragma once
 
-#include "complex.h"
-#include "forces/air_kernels.h"
-#include "state.h"
+#include "../complex/complex.h"
+#include "../state.h"
+#include "air_kernels.h"
 
 #include <array>
 #include <span>

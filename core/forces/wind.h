@@ -1,7 +1,7 @@
 // Wind: how fast the air moves, where and when [AW2].
 #pragma once
 
-#include "math.h"
+#include "../numbers/math.h"
 
 #include <cstdint>
 #include <functional>

@@ -2,8 +2,8 @@
 // rounding takes from the running sum is summed apart. Terms are added in the caller's order.
 #pragma once
 
-#include "../exact.h"
-#include "../math.h"
+#include "../numbers/exact.h"
+#include "../numbers/math.h"
 
 namespace plait {
 

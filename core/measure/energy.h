@@ -7,7 +7,7 @@
 #include <array>
 #include <span>
 
-#include "../math.h"
+#include "../numbers/math.h"
 
 namespace plait {
 

@@ -7,7 +7,7 @@
 
 #include <span>
 
-#include "../math.h"
+#include "../numbers/math.h"
 #include "checks.h"
 #include "compensated_sum.h"
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "../math.h"
+#include "../numbers/math.h"
 
 namespace plait {
 

@@ -16,8 +16,8 @@
 // implicit equation: what turns far in a substep comes out stretched.
 #pragma once
 
+#include "block/vertex_block.h"
 #include "springs.h"
-#include "vertex_block.h"
 
 #include <type_traits>
 

@@ -14,7 +14,7 @@
 #pragma once
 
 #include "../constraints/constants.h"
-#include "whole_step.h"
+#include "../whole_step.h"
 
 #include <cmath>
 #include <type_traits>

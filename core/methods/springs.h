@@ -4,7 +4,7 @@
 #pragma once
 
 #include "../constraints/constants.h"
-#include "whole_step.h"
+#include "../whole_step.h"
 
 namespace plait {
 

@@ -1,12 +1,12 @@
-#include "whole_step.h"
+#include "../whole_step.h"
 
 #include "../constraints/constants.h"
-#include "block.h"
+#include "block/block.h"
 #include "explicit.h"
-#include "global.h"
+#include "global/global.h"
 #include "implicit.h"
 #include "linearised.h"
-#include "newton.h"
+#include "newton/newton.h"
 #include "symplectic.h"
 
 #include <stdexcept>

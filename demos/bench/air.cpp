@@ -1,7 +1,7 @@
 #include "air.h"
 
-#include "forces/air.h"
-#include "solver.h"
+#include <plait/forces/air.h>
+#include <plait/solver.h>
 
 #include <algorithm>
 #include <chrono>

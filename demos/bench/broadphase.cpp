@@ -1,12 +1,13 @@
-#include "bench/broadphase.h"
+#include "broadphase.h"
 
-#include "bench/broadphase_sets.h"
-#include "chart.h"
-#include "collision/hash_grid.h"
-#include "collision/kdop_tree.h"
-#include "collision/query.h"
-#include "files.h"
-#include "machine.h"
+#include "broadphase_sets.h"
+#include "demos/tools/files.h"
+#include "demos/tools/machine.h"
+#include "render/charts/chart.h"
+
+#include <plait/collision/hash_grid.h>
+#include <plait/collision/kdop_tree.h>
+#include <plait/collision/query.h>
 
 #include <algorithm>
 #include <cmath>

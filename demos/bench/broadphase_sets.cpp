@@ -1,6 +1,6 @@
-#include "bench/broadphase_sets.h"
+#include "broadphase_sets.h"
 
-#include "shapes.h"
+#include <plait/complex/shapes.h>
 
 #include <cmath>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // Primitives for the broad phase: what moves in a step, and where.
 #pragma once
 
-#include "collision/kdop.h"
-#include "complex.h"
+#include <plait/collision/kdop.h>
+#include <plait/complex/complex.h>
 
 #include <string>
 #include <vector>

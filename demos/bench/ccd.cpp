@@ -1,8 +1,9 @@
-#include "bench/ccd.h"
+#include "ccd.h"
 
-#include "bench/ccd_data.h"
-#include "errors.h"
-#include "solver.h"
+#include "ccd_data.h"
+#include "demos/tools/errors.h"
+
+#include <plait/solver.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
-#include "bench/ccd_data.h"
+#include "ccd_data.h"
 
-#include "errors.h"
-#include "files.h"
+#include "demos/tools/errors.h"
+#include "demos/tools/files.h"
 
 #include <libdeflate.h>
 

@@ -1,7 +1,7 @@
 // Query sets of continuous collision detection with their exact answers, from compressed tables.
 #pragma once
 
-#include "collision/query.h"
+#include <plait/collision/query.h>
 
 #include <filesystem>
 #include <string>

@@ -1,9 +1,10 @@
 #include "core.h"
 
 #include "floor.h"
-#include "forces/gravity.h"
-#include "solver.h"
-#include "stencils.h"
+
+#include <plait/forces/gravity.h>
+#include <plait/solver.h>
+#include <plait/stencils.h>
 
 #include <algorithm>
 #include <chrono>

@@ -1,10 +1,11 @@
-#include "bench/detection.h"
+#include "detection.h"
 
-#include "bench/broadphase_sets.h"
-#include "chart.h"
-#include "contacts/pair_search.h"
-#include "files.h"
-#include "machine.h"
+#include "broadphase_sets.h"
+#include "demos/tools/files.h"
+#include "demos/tools/machine.h"
+#include "render/charts/chart.h"
+
+#include <plait/contacts/search/pair_search.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "bench/drape.h"
+#include "drape.h"
 
-#include "errors.h"
-#include "interrupt.h"
-#include "machine.h"
-#include "settings.h"
-#include "simulation.h"
-#include "study/median.h"
+#include "demos/runs/settings.h"
+#include "demos/runs/simulation.h"
+#include "demos/study/median.h"
+#include "demos/tools/errors.h"
+#include "demos/tools/interrupt.h"
+#include "demos/tools/machine.h"
 
 #include <algorithm>
 #include <chrono>

@@ -3,7 +3,7 @@
 // constraint once.
 #pragma once
 
-#include "state.h"
+#include <plait/state.h>
 
 #include <vector>
 

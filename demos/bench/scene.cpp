@@ -1,11 +1,11 @@
-#include "bench/scene.h"
+#include "scene.h"
 
-#include "errors.h"
-#include "interrupt.h"
-#include "machine.h"
-#include "run_job.h"
-#include "run_options.h"
-#include "simulation.h"
+#include "demos/runs/run_job.h"
+#include "demos/runs/run_options.h"
+#include "demos/runs/simulation.h"
+#include "demos/tools/errors.h"
+#include "demos/tools/interrupt.h"
+#include "demos/tools/machine.h"
 
 #include <unistd.h>
 #include <chrono>

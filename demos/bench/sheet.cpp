@@ -1,12 +1,13 @@
-#include "bench/sheet.h"
+#include "sheet.h"
 
-#include "errors.h"
-#include "interrupt.h"
-#include "machine.h"
-#include "measure/energy.h"
-#include "settings.h"
-#include "simulation.h"
-#include "study/median.h"
+#include "demos/runs/settings.h"
+#include "demos/runs/simulation.h"
+#include "demos/study/median.h"
+#include "demos/tools/errors.h"
+#include "demos/tools/interrupt.h"
+#include "demos/tools/machine.h"
+
+#include <plait/measure/energy.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
-#include "stability/atlas.h"
+#include "atlas.h"
 
-#include "progress.h"
-#include "run_all.h"
+#include "demos/runs/run_all.h"
+#include "demos/tools/progress.h"
 
 #include <algorithm>
 #include <functional>

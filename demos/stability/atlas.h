@@ -1,7 +1,7 @@
 // The failure atlas: a map worked out, as files, and held to what is stored.
 #pragma once
 
-#include "stability/map.h"
+#include "map.h"
 
 #include <filesystem>
 #include <span>

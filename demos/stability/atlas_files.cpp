@@ -1,10 +1,10 @@
-#include "stability/atlas.h"
+#include "atlas.h"
 
-#include "chart.h"
-#include "files.h"
-#include "study/tables.h"
-#include "web_page.h"
-#include "words.h"
+#include "demos/study/tables.h"
+#include "demos/tools/files.h"
+#include "demos/tools/web_page.h"
+#include "demos/tools/words.h"
+#include "render/charts/chart.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // Chains at rest (validation D1 to D3): what sweeps make of a heavy tip, of stiff links beside soft
 // ones, and of many links.
-#include "stability/hanging_chain.h"
-#include "stability/map.h"
+#include "hanging_chain.h"
+#include "map.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "stability/hanging_chain.h"
+#include "hanging_chain.h"
 
 #include <Eigen/Dense>
 

@@ -1,13 +1,13 @@
 // Contact: how fast a bullet may be, and how many layers lie on each other.
-#include "stability/map.h"
-#include "stability/watch.h"
+#include "map.h"
+#include "watch.h"
 
-#include "contacts/surface.h"
-#include "elementary.h"
-#include "forces/gravity.h"
-#include "measure/gap.h"
-#include "measure/intersections.h"
-#include "stencils.h"
+#include <plait/contacts/surface.h>
+#include <plait/forces/gravity.h>
+#include <plait/measure/surfaces/gap.h>
+#include <plait/measure/surfaces/intersections.h>
+#include <plait/numbers/elementary.h>
+#include <plait/stencils.h>
 
 #include <algorithm>
 #include <array>

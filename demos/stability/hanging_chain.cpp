@@ -1,8 +1,9 @@
-#include "stability/hanging_chain.h"
+#include "hanging_chain.h"
 
-#include "forces/gravity.h"
-#include "stability/watch.h"
-#include "stencils.h"
+#include "watch.h"
+
+#include <plait/forces/gravity.h>
+#include <plait/stencils.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,9 @@
 // maps of chains are made of.
 #pragma once
 
-#include "solver.h"
-#include "stability/outcome.h"
+#include "outcome.h"
+
+#include <plait/solver.h>
 
 #include <vector>
 

@@ -1,7 +1,7 @@
-#include "stability/map.h"
+#include "map.h"
 
-#include "errors.h"
-#include "words.h"
+#include "demos/tools/errors.h"
+#include "demos/tools/words.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // stops being so (validation C7, D).
 #pragma once
 
-#include "stability/outcome.h"
+#include "outcome.h"
 
 #include <functional>
 #include <optional>

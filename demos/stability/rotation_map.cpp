@@ -1,10 +1,10 @@
 // Rotation in a step, for the method that makes constraints linear where the prediction has them
 // (S 5, IN8).
-#include "stability/map.h"
-#include "stability/watch.h"
+#include "map.h"
+#include "watch.h"
 
-#include "forces/gravity.h"
-#include "stencils.h"
+#include <plait/forces/gravity.h>
+#include <plait/stencils.h>
 
 #include <algorithm>
 #include <cmath>

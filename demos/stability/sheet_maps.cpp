@@ -1,11 +1,11 @@
 // Rigid sheets: how fine a curtain a number of substeps holds together, and how many sweeps BDF2
 // needs so that a sheet does not crumple.
-#include "stability/map.h"
-#include "stability/watch.h"
+#include "map.h"
+#include "watch.h"
 
-#include "forces/gravity.h"
-#include "measure/strain.h"
-#include "stencils.h"
+#include <plait/forces/gravity.h>
+#include <plait/measure/strain.h>
+#include <plait/stencils.h>
 
 #include <algorithm>
 #include <cmath>

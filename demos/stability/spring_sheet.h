@@ -2,7 +2,7 @@
 // stiffness is made of, with its energy and its fastest mode from code of its own.
 #pragma once
 
-#include "world.h"
+#include <plait/world.h>
 
 #include <array>
 #include <vector>

@@ -1,8 +1,8 @@
 // Step by stiffness on a sheet that swings (validation D5): what every method does where springs
 // are too stiff for the step.
-#include "stability/map.h"
-#include "stability/spring_sheet.h"
-#include "stability/watch.h"
+#include "map.h"
+#include "spring_sheet.h"
+#include "watch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,11 @@
 // What the maps' runs have in common: gravity, its energy, and a judge at every frame.
 #pragma once
 
-#include "interrupt.h"
-#include "measure/energy.h"
-#include "solver.h"
-#include "stability/outcome.h"
+#include "demos/tools/interrupt.h"
+#include "outcome.h"
+
+#include <plait/measure/energy.h>
+#include <plait/solver.h>
 
 namespace plait {
 

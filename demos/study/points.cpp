@@ -1,8 +1,8 @@
-#include "study/points.h"
+#include "points.h"
 
-#include "errors.h"
-#include "study/median.h"
-#include "words.h"
+#include "demos/tools/errors.h"
+#include "demos/tools/words.h"
+#include "median.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // The points of a study: what every run was, took and missed, as rows of a table; and the medians.
 #pragma once
 
-#include "study/study.h"
+#include "study.h"
 
 #include <string>
 #include <vector>

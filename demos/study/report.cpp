@@ -1,12 +1,12 @@
-#include "study/report.h"
+#include "report.h"
 
-#include "chart.h"
-#include "files.h"
-#include "machine.h"
-#include "study/reference.h"
-#include "study/tables.h"
-#include "web_page.h"
-#include "words.h"
+#include "demos/study/references/reference.h"
+#include "demos/tools/files.h"
+#include "demos/tools/machine.h"
+#include "demos/tools/web_page.h"
+#include "demos/tools/words.h"
+#include "render/charts/chart.h"
+#include "tables.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // What a study leaves: points.csv, a chart for each kind of error, and index.html with all of it.
 #pragma once
 
-#include "study/points.h"
-#include "study/tasks.h"
+#include "points.h"
+#include "tasks.h"
 
 #include <string>
 #include <vector>

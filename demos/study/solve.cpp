@@ -1,12 +1,13 @@
-#include "study/solve.h"
+#include "solve.h"
 
-#include "errors.h"
-#include "interrupt.h"
-#include "measure/energy.h"
-#include "progress.h"
-#include "solver.h"
-#include "study/median.h"
-#include "study/runge_kutta.h"
+#include "demos/study/references/runge_kutta.h"
+#include "demos/tools/errors.h"
+#include "demos/tools/interrupt.h"
+#include "demos/tools/progress.h"
+#include "median.h"
+
+#include <plait/measure/energy.h>
+#include <plait/solver.h>
 
 #include <sched.h>
 #include <time.h>

@@ -1,7 +1,7 @@
 // One run of a study: solved, timed and recorded.
 #pragma once
 
-#include "study/study.h"
+#include "study.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
-#include "study/study.h"
+#include "study.h"
 
-#include "study/solve.h"
+#include "solve.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // against error, as validation C has it.
 #pragma once
 
-#include "settings.h"
-#include "study/trajectory.h"
+#include "demos/runs/settings.h"
+#include "demos/study/references/trajectory.h"
 
 #include <functional>
 #include <optional>

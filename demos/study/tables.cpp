@@ -1,7 +1,7 @@
-#include "study/tables.h"
+#include "tables.h"
 
-#include "chart.h"
-#include "study/median.h"
+#include "median.h"
+#include "render/charts/chart.h"
 
 #include <algorithm>
 #include <cmath>

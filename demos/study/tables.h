@@ -1,7 +1,7 @@
 // Equal cost and equal error: both directions of the same chart, as tables.
 #pragma once
 
-#include "study/points.h"
+#include "points.h"
 
 #include <string>
 #include <vector>

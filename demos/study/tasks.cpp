@@ -1,12 +1,13 @@
-#include "study/tasks.h"
+#include "tasks.h"
 
-#include "errors.h"
-#include "files.h"
-#include "measure/hash.h"
-#include "progress.h"
-#include "run_all.h"
-#include "study/solve.h"
-#include "words.h"
+#include "demos/runs/run_all.h"
+#include "demos/tools/errors.h"
+#include "demos/tools/files.h"
+#include "demos/tools/progress.h"
+#include "demos/tools/words.h"
+#include "solve.h"
+
+#include <plait/measure/hash.h>
 
 #include <algorithm>
 #include <set>

@@ -3,7 +3,7 @@
 // again.
 #pragma once
 
-#include "study/points.h"
+#include "points.h"
 
 #include <filesystem>
 #include <string>

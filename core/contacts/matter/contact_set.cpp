@@ -1,0 +1,233 @@
+#include "contact_set.h"
+
+#include "../../world.h"
+
+#include <algorithm>
+
+namespace plait {
+namespace {
+
+constexpr double gravity = 9.81;  // m/s^2: what rests approaches by its step
+
+double meanEdge(const World& world, const std::vector<Surface>& surfaces) {
+    double sum = 0;
+    long count = 0;
+    for (int e = 0; e < world.complex.count(1); ++e) {
+        const auto ids = world.complex.vertices(1, e);
+        if (world.pinned[ids[0]] && world.pinned[ids[1]]) continue;
+        for (const Surface& s : surfaces)
+            if (ids[0] >= s.vertices.first && ids[0] < s.vertices.last) {
+                sum += length(world.rest[ids[1]] - world.rest[ids[0]]);
+                ++count;
+            }
+    }
+    return count ? sum / static_cast<double>(count) : 0;
+}
+
+double thickest(const Surface& s) {
+    double most = s.thickness;
+    for (const double r : s.radii) most = std::max(most, r);
+    return most;
+}
+
+double thickest(const std::vector<Surface>& surfaces) {
+    double most = 0;
+    for (const Surface& s : surfaces) most = std::max(most, thickest(s));
+    return most;
+}
+
+double widest(const std::vector<Surface>& surfaces) {
+    double most = thickest(surfaces);
+    for (const Surface& s : surfaces)
+        if (s.self != Self::none) most = std::max(most, thickest(s) * s.selfWidth);
+    return most;
+}
+
+double marginOf(const World& world, const std::vector<Surface>& surfaces, double asked) {
+    return asked > 0 ? asked : std::max(0.2 * meanEdge(world, surfaces), 0.5 * thickest(surfaces));
+}
+
+}  // namespace
+
+template <class Real>
+ContactSet<Real>::ContactSet(const World& world, const std::vector<Surface>& surfaces,
+                             const ContactOptions& options)
+    : options_(options),
+      search_(world.complex, surfaces, world.pinned, marginOf(world, surfaces, options.margin)),
+      rest_(world.rest),
+      start_(world.start),
+      end_(world.start),
+      pinned_(world.pinned),
+      taken_(world.start.size()),
+      slack_(thickest(surfaces)),
+      widest_(widest(surfaces)) {
+    for (const Surface& s : surfaces) bouncy_ = bouncy_ || s.restitution > 0;
+    for (std::size_t v = 0; v < world.mass.size(); ++v)
+        inverseMass_.push_back(world.pinned[v] ? 0 : 1 / world.mass[v]);
+    if (Failures::needed(surfaces, options))
+        failures_ = std::make_unique<Failures>(world, surfaces, options);
+    if (options_.mass == ContactMass::physical) return;
+    for (const Surface& s : surfaces)
+        for (int v = s.vertices.first; v < s.vertices.last; ++v)
+            inverseMass_[v] = world.pinned[v] ? 0 : 1 / s.pointMass;
+}
+
+template <class Real>
+void ContactSet<Real>::begin(const Substep& substep, Workers&) {
+    h_ = substep.h;
+    contacts_.clear();
+    crossing_.clear();
+    seen_.clear();
+    bent_.clear();
+    ready_ = false;
+}
+
+template <class Real>
+void ContactSet<Real>::locate(const Sweep<Real>& sweep, Workers& workers) {
+    workers.forBlocks(static_cast<int>(start_.size()), 1024, [&](int begin, int end) {
+        for (int v = begin; v < end; ++v) {
+            const Real* const p = sweep.particles + 8 * v;
+            const Real* const b = sweep.before + 4 * v;
+            const Vec<double> x{double(p[0]), double(p[1]), double(p[2])};
+            start_[v] = x + Vec<double>{double(b[0]), double(b[1]), double(b[2])};
+            end_[v] = x + Vec<double>{double(p[4]), double(p[5]), double(p[6])};
+        }
+    });
+}
+
+template <class Real>
+PairPoints ContactSet<Real>::startOf(const Pairing& pair) const {
+    const auto& v = pair.vertices;
+    return {start_[v[0]], start_[v[1]], start_[v[2]], start_[v[3]]};
+}
+
+// Where a contact's vertices are by now.
+template <class Real>
+PairPoints ContactSet<Real>::endOf(const Sweep<Real>& sweep, const Pairing& pair) const {
+    PairPoints x;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Real* const p = sweep.particles + 8 * pair.vertices[i];
+        x[i] = Vec<double>{double(p[0]), double(p[1]), double(p[2])} +
+               Vec<double>{double(p[4]), double(p[5]), double(p[6])};
+    }
+    return x;
+}
+
+// Two of one sheet that lie nearer at rest stay as near; what begins too near parts no faster than
+// `recovery`, however thick it is (CC15, CC17).
+template <class Real>
+double ContactSet<Real>::gapOf(const Pairing& pair, const Nearest& now) const {
+    const auto& v = pair.vertices;
+    double gap = 0;
+    for (std::size_t i = 0; i < 4; ++i) gap += std::fabs(now.weight[i]) * search_.thickness(v[i]);
+    if (search_.surfaceOf(v[0]) == search_.surfaceOf(v[3])) {
+        gap *= search_.width(v[0], v[3]);
+        const PairPoints rest{rest_[v[0]], rest_[v[1]], rest_[v[2]], rest_[v[3]]};
+        if (mayMeet(pair, rest, rest, gap)) gap = std::min(gap, length(nearest(pair, rest).apart));
+    }
+    return std::min(gap, length(now.apart) + options_.recovery * h_);
+}
+
+template <class Real>
+void ContactSet<Real>::consider(const Pairing& pair, std::vector<Contact>& list) const {
+    if (failures_ && failures_->leavesOut(pair)) return;
+    const auto& v = pair.vertices;
+    double thickness[2]{};
+    for (int i = 0; i < pair.first + pair.second; ++i) {
+        double& side = thickness[i >= pair.first];
+        side = std::max(side, search_.thickness(v[i]));
+    }
+    const PairPoints start = startOf(pair);
+    const PairPoints end{end_[v[0]], end_[v[1]], end_[v[2]], end_[v[3]]};
+    const double reach = search_.width(v[0], v[3]) * (thickness[0] + thickness[1]) + slack_;
+    if (!mayMeet(pair, start, end, reach)) return;
+    const Nearest now = nearest(pair, start);
+    if (!comesWithin(reach, pair, now, start, end)) return;
+    Contact contact{.pair = pair, .distance = length(now.apart), .gap = gapOf(pair, now)};
+    contact.watch = watchOf(contact, divide(1.0, contact.distance) * now.apart, start);
+    list.push_back(contact);
+}
+
+template <class Real>
+void ContactSet<Real>::prepare(const Sweep<Real>& sweep, Workers& workers) {
+    locate(sweep, workers);
+    counts_.searches += search_.cover(start_, end_, slack_, workers);
+    counts_.pairs = std::max(counts_.pairs, search_.size());
+    search_.collect(parts_, 2 * widest_ + slack_, workers,
+                    [&](const Pairing& pair, std::vector<Contact>& list) { consider(pair, list); });
+    sortParts();
+    colour();
+    counts_.contacts = std::max(counts_.contacts, static_cast<long>(contacts_.size()));
+    foreseen_ = static_cast<int>(contacts_.size());
+    heading_ = end_;
+    ready_ = true;
+}
+
+template <class Real>
+void ContactSet<Real>::strike(const Sweep<Real>& sweep, const State<Real>& state,
+                              Workers& workers) {
+    if (failures_) {
+        locate(sweep, workers);
+        failures_->begin(start_, state.disabled, counts_, workers);
+    }
+    if (!bouncy_) return;
+    prepare(sweep, workers);
+    bend(sweep, state);
+}
+
+// Paths end where bounces send them.
+template <class Real>
+void ContactSet<Real>::bend(const Sweep<Real>& sweep, const State<Real>& state) {
+    paths_.resize(start_.size());
+    for (std::size_t v = 0; v < paths_.size(); ++v) {
+        paths_[v] = {.start = start_[v], .end = end_[v]};
+        if (!state.hasPast) continue;
+        const Vec<Real> way = state.before[v].v - state.last[v].v;
+        paths_[v].gain = end_[v] - start_[v] - Vec<double>{way.x, way.y, way.z};
+    }
+    bounces_.clear();
+    for (const Contact& c : contacts_) {
+        const Surface& a = search_.surfaces()[search_.surfaceOf(c.pair.vertices[0])];
+        const Surface& b = search_.surfaces()[search_.surfaceOf(c.pair.vertices[3])];
+        const double restitution = 0.5 * (a.restitution + b.restitution);
+        const double sliding = std::clamp(0.5 * (a.dynamicFriction + b.dynamicFriction), 0.0, 1.0);
+        if (restitution > 0) bounces_.push_back({c.pair, c.gap, restitution, sliding});
+    }
+    const double slow = std::max(options_.bounceThreshold, 2 * gravity * h_) * h_;
+    const int limit = 16 + 4 * static_cast<int>(bounces_.size());
+    counts_.bounces += bounce(bounces_, inverseMass_, paths_, slow, limit);
+    for (std::size_t v = 0; v < paths_.size(); ++v) {
+        if (!paths_[v].bent) continue;
+        bent_.push_back(static_cast<int>(v));
+        Real* const p = sweep.particles + 8 * v;
+        p[4] = static_cast<Real>(paths_[v].end.x - double(p[0]));
+        p[5] = static_cast<Real>(paths_[v].end.y - double(p[1]));
+        p[6] = static_cast<Real>(paths_[v].end.z - double(p[2]));
+    }
+}
+
+// The first-order velocity and a past that continues it, so that BDF2 extrapolates no bounce.
+template <class Real>
+void ContactSet<Real>::rebound(State<Real>& state) const {
+    if (failures_) failures_->store(state.disabled);
+    for (const int v : bent_) {
+        const Vec<double> kick = divide(1.0, h_) * (start_[v] - paths_[v].start);
+        const Vec<Real> d = state.particles[v].d;
+        const Vec<Real> velocity = static_cast<Real>(1 / h_) * (d - state.last[v].v) +
+                                   Vec<Real>{static_cast<Real>(kick.x), static_cast<Real>(kick.y),
+                                             static_cast<Real>(kick.z)};
+        state.velocity[v].v = state.lastVelocity[v].v = velocity;
+        state.last[v].v = d - static_cast<Real>(h_) * velocity;
+    }
+}
+
+template <class Real>
+void ContactSet<Real>::markTouched(std::vector<std::uint8_t>& touched) const {
+    for (const Contact& c : contacts_)
+        for (const int v : c.pair.vertices) touched[v] |= c.push != 0;
+}
+
+template class ContactSet<float>;
+template class ContactSet<double>;
+
+}  // namespace plait

@@ -1,0 +1,151 @@
+// The set of all contacts of some surfaces (S 7): simplices stay their thicknesses apart, with
+// friction, and never pass through each other.
+//
+// A substep: pairs that may come near become contacts, sorted and coloured (prepare). Every
+// evaluation asks anew where the two are nearest, or, where they may have passed each other on the
+// way, when and where they met (touch), and parts them as they were before (part). Most contacts
+// stay clear throughout: after the first four evaluations every fourth alone asks all of them.
+// After the last column all paths are looked at once more (finish): what still crosses is parted in
+// up to five passes, and what crosses even then is put back to where the substep began, which was
+// free of crossings, so that the next one begins free of them too. Only matter that is moved from
+// outside can break that; such vertices are counted as failed.
+//
+// Which contacts there are depends on where everything is and is heading, not on when pairs were
+// last looked for: a run that is resumed has the same bits.
+#pragma once
+
+#include "../../constraint.h"
+#include "../search/pair_search.h"
+#include "../trouble/failures.h"
+#include "impacts.h"
+
+#include <atomic>
+#include <memory>
+
+namespace plait {
+
+struct World;
+
+// What contacts did since the solver was made.
+struct ContactCounts {
+    long searches = 0;  // for pairs
+    long pairs = 0;     // in the list, at most
+    long contacts = 0;  // in a substep, at most
+    long bounces = 0;   // off what has restitution
+    long impacts = 0;   // times at which paths were asked for
+    long passes = 0;    // over what crossed after the last column
+    long heldBack = 0;  // vertices put back to where they were
+    long failed = 0;    // pairs that cross all the same
+    long tangled = 0;   // vertices where a substep begins, at most, if it is asked
+    long disabled = 0;  // vertices taken out of contacts as failed
+    long enabled = 0;   // of these, taken back
+    long limited = 0;   // times that a contact reached the limit of displacement
+};
+
+template <class Real>
+class ContactSet : public Constraint<Real> {
+public:
+    ContactSet(const World& world, const std::vector<Surface>& surfaces,
+               const ContactOptions& options);
+
+    void begin(const Substep& substep, Workers& workers) override;
+    void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override;
+    long finish(const Sweep<Real>& sweep, Workers& workers) override;
+    long holdBack(const Sweep<Real>& sweep, Workers& workers) override;
+    void strike(const Sweep<Real>& sweep, const State<Real>& state, Workers& workers) override;
+    void rebound(State<Real>& state) const override;
+    void markTouched(std::vector<std::uint8_t>& touched) const override;
+    long failures() const override { return counts_.failed + counts_.disabled; }
+    // Contacts looked at in the evaluation last made.
+    long size() const override { return looked_; }
+
+    const ContactCounts& counts() const { return counts_; }
+
+private:
+    static constexpr int colorLimit = 64;  // contacts beyond run one by one
+
+    // A plane between two. Most contacts never come to be more than this, so it is kept apart from
+    // them, and small.
+    struct Watch {
+        std::array<int, 4> vertices;
+        Vec<float> normal;            // of unit length, to the first
+        std::array<float, 4> height;  // m, of each over the last when the substep begins, the
+                                      // first one's less the gap
+        int first;                    // vertices of the first; 0: look at the contact itself
+    };
+    struct Contact {
+        Pairing pair;
+        int color = 0;
+        double distance;     // m, where the substep begins
+        double gap;          // m, to be kept
+        double push = 0;     // multiplier across, kg m
+        Vec<double> grip{};  // multiplier along, kg m
+        Watch watch{};
+        bool limited = false;  // reached the limit of displacement
+    };
+    // Where two touch, and the way from the second to the first.
+    struct Touch {
+        std::array<double, 4> weight;
+        Vec<double> normal;
+        double value;  // m, C: distance less gap, below 0 also where they passed each other
+    };
+
+    void locate(const Sweep<Real>& sweep, Workers& workers);
+    void prepare(const Sweep<Real>& sweep, Workers& workers);
+    void consider(const Pairing& pair, std::vector<Contact>& list) const;
+    double gapOf(const Pairing& pair, const Nearest& now) const;
+    void bend(const Sweep<Real>& sweep, const State<Real>& state);
+    void sortParts();
+    void colour();
+    PairPoints startOf(const Pairing& pair) const;
+    PairPoints endOf(const Sweep<Real>& sweep, const Pairing& pair) const;
+    Touch touch(const Contact& contact, const PairPoints& start, const PairPoints& end) const;
+    Watch watchOf(const Contact& contact, const Vec<double>& normal, const PairPoints& start) const;
+    static float room(const Watch& watch, const std::array<float, 4>& height);
+    bool clearNow(Contact& contact, const PairPoints& start, const PairPoints& end) const;
+    double leastOf(const Contact& contact) const;
+    bool clear(const Sweep<Real>& sweep, const Watch& watch) const;
+    void part(const Sweep<Real>& sweep, Contact& contact) const;
+    void check(const Pairing& pair, std::vector<Contact>& list) const;
+    bool asForeseen(Workers& workers) const;
+    bool findMoved(const Sweep<Real>& sweep, Workers& workers);
+    void cross(const Sweep<Real>& sweep, Workers& workers);
+    void crossMoved(const Sweep<Real>& sweep, Workers& workers);
+    int putBack(const Sweep<Real>& sweep);
+    long putAllBack(const Sweep<Real>& sweep, Workers& workers);
+
+    ContactOptions options_;
+    PairSearch search_;
+    std::vector<Vec<double>> rest_, start_, end_, heading_;  // m, by vertex
+    std::vector<Vec<double>> seen_;    // end_ when paths were last looked at; empty: not yet
+    std::vector<std::uint8_t> moved_;  // by vertex: 1 if end_ is another since
+    std::vector<unsigned char> pinned_;
+    std::vector<double> inverseMass_;  // 1/kg, in contacts
+    bool bouncy_ = false;              // something has restitution
+    std::vector<Bounce> bounces_;
+    std::vector<Path> paths_;  // by vertex, of this substep
+    std::vector<int> bent_;    // vertices that bounced
+    std::vector<Contact> contacts_, crossing_;
+    std::vector<Watch> watches_;                // of contacts_
+    std::vector<int> near_;                     // of each block of a colour those that were not
+                                                // clear when all were looked at, then -1
+    int evaluation_ = 0;                        // of this substep
+    std::atomic<long> looked_ = 0;              // in the evaluation last made
+    std::array<int, colorLimit + 2> colors_{};  // where each colour begins in contacts_
+    std::vector<std::vector<Contact>> parts_;   // as they are found
+    std::vector<Contact*> ordered_;             // all of them
+    std::vector<int> places_;                   // in ordered_, by kind and first vertex
+    std::vector<std::uint64_t> taken_;          // colours at each vertex
+    double slack_;                              // m, that contacts reach beyond their gap
+    double widest_;                             // m, the largest thickness, as wide as it counts
+    double h_ = 0;                              // s
+    bool ready_ = false;                        // contacts_ are those of this substep
+    int foreseen_ = 0;                          // contacts as they were found; what crossed follows
+    std::unique_ptr<Failures> failures_;        // null: nothing is ever left out
+    ContactCounts counts_;
+};
+
+extern template class ContactSet<float>;
+extern template class ContactSet<double>;
+
+}  // namespace plait

@@ -1,0 +1,127 @@
+#include "failures.h"
+
+#include "../../world.h"
+#include "../matter/contact_set.h"
+
+#include <algorithm>
+
+namespace plait {
+
+bool Failures::needed(const std::vector<Surface>& surfaces, const ContactOptions& options) {
+    return options.trapped || options.selfTrapped || options.disableFailed ||
+           std::ranges::any_of(surfaces, [](const Surface& s) {
+               return !s.disableSelf.empty() || !s.disableExternal.empty();
+           });
+}
+
+Failures::Failures(const World& world, const std::vector<Surface>& surfaces,
+                   const ContactOptions& options)
+    : options_(options),
+      surface_(world.start.size(), -1),
+      pinned_(world.pinned),
+      byHand_(world.start.size(), 0),
+      neighbours_(world.complex.oneRing()),
+      tangles_(world.complex, surfaces, world.pinned) {
+    for (std::size_t s = 0; s < surfaces.size(); ++s)
+        for (int v = surfaces[s].vertices.first; v < surfaces[s].vertices.last; ++v) {
+            const auto i = std::size_t(v - surfaces[s].vertices.first);
+            surface_[v] = static_cast<int>(s);
+            const auto flagOf = [&](const std::vector<std::uint8_t>& flags) {
+                return flags.empty() ? 0 : int{flags[i]};
+            };
+            byHand_[v] =
+                static_cast<std::uint8_t>(flagOf(surfaces[s].disableExternal) |
+                                          flagOf(surfaces[s].disableSelf) << Disabled::ownShift);
+        }
+    connect(world);
+}
+
+// By flooding from the lowest vertex of each piece.
+void Failures::connect(const World& world) {
+    piece_.assign(world.start.size(), -1);
+    std::vector<int> open;
+    for (int root = 0; root < std::ssize(piece_); ++root) {
+        if (piece_[root] >= 0) continue;
+        piece_[root] = root;
+        open.assign(1, root);
+        while (!open.empty()) {
+            const int v = open.back();
+            open.pop_back();
+            for (const int u : neighbours_[v])
+                if (piece_[u] < 0) {
+                    piece_[u] = root;
+                    open.push_back(u);
+                }
+        }
+    }
+}
+
+void Failures::begin(std::span<const Vec<double>> start, std::span<const std::uint8_t> flags,
+                     ContactCounts& counts, Workers& workers) {
+    const std::span<const std::uint8_t> given = flags.empty() ? byHand_ : flags;
+    flags_.assign(given.begin(), given.end());
+    if (!options_.trapped && !options_.selfTrapped && !options_.disableFailed) return;
+    tangles_.find(start, tangled_, workers);
+    long tangled = 0;
+    for (std::size_t v = 0; v < flags_.size(); ++v) tangled += tangled_.own[v] || tangled_.other[v];
+    counts.tangled = std::max(counts.tangled, tangled);
+    if (!options_.disableFailed) return;
+    for (const bool own : {false, true}) {
+        const auto& marks = own ? tangled_.own : tangled_.other;
+        for (int v = 0; v < std::ssize(flags_); ++v)
+            if (marks[v]) disable(v, own, counts);
+        release(own, counts);
+    }
+}
+
+void Failures::set(int vertex, bool own, int flag) {
+    const int shift = own ? Disabled::ownShift : 0;
+    flags_[vertex] = static_cast<std::uint8_t>((flags_[vertex] & ~(3 << shift)) | flag << shift);
+}
+
+void Failures::disable(int vertex, bool own, ContactCounts& counts) {
+    if (surface_[vertex] < 0 || pinned_[vertex] || flag(vertex, own) & Disabled::asFailed) return;
+    set(vertex, own, Disabled::fail(flag(vertex, own)));
+    ++counts.disabled;
+}
+
+// What is tangled no longer and next to what is not disabled; or all of a piece that is disabled
+// and nowhere tangled, since it is on one side. One ring a substep: what has gone through is not
+// taken back before all that is between it and the rest.
+void Failures::release(bool own, ContactCounts& counts) {
+    const auto& marks = own ? tangled_.own : tangled_.other;
+    const auto failed = [&](int v) { return (flag(v, own) & Disabled::asFailed) != 0; };
+    stuck_.assign(flags_.size(), 0);
+    for (std::size_t v = 0; v < flags_.size(); ++v)
+        if (marks[v] || (surface_[v] >= 0 && !failed(static_cast<int>(v)))) stuck_[piece_[v]] = 1;
+    freed_.clear();
+    for (int v = 0; v < std::ssize(flags_); ++v) {
+        if (!failed(v) || marks[v]) continue;
+        const auto beside = neighbours_[v];
+        if (!stuck_[piece_[v]] || std::ranges::any_of(beside, [&](int u) { return !failed(u); }))
+            freed_.push_back(v);
+    }
+    for (const int v : freed_) set(v, own, Disabled::free(flag(v, own)));
+    counts.enabled += static_cast<long>(freed_.size());
+}
+
+bool Failures::leavesOut(const Pairing& pair) const {
+    const bool within = own(pair);
+    const bool trapped = within ? options_.selfTrapped : options_.trapped;
+    const auto& marks = within ? tangled_.own : tangled_.other;
+    return std::ranges::any_of(
+        pair.vertices, [&](int v) { return flag(v, within) != 0 || (trapped && marks[v]); });
+}
+
+void Failures::fail(const Pairing& pair, ContactCounts& counts) {
+    if (!options_.disableFailed) return;
+    for (const int v : pair.vertices) disable(v, own(pair), counts);
+}
+
+void Failures::store(std::vector<std::uint8_t>& flags) const {
+    flags.resize(flags_.size(), 0);
+    for (std::size_t v = 0; v < flags_.size(); ++v)
+        if (surface_[v] >= 0) flags[v] = flags_[v];
+}
+
+}  // namespace plait

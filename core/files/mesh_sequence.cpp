@@ -1,0 +1,205 @@
+#include "mesh_sequence.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "../numbers/finite.h"
+#include "mesh_reader.h"
+
+namespace plait {
+namespace {
+
+namespace fs = std::filesystem;
+using Meshes = std::vector<std::vector<Vec<double>>>;
+
+static_assert(std::endian::native == std::endian::little, "PC2 is read as it lies in memory");
+
+[[noreturn]] void fail(const fs::path& path, const std::string& cause) {
+    MeshBuilder{.file = path.string(), .positions = {}, .simplices = {}}.fail(cause);
+}
+
+// The last run of digits in `text`, at most 18 of them; -1 for none.
+long long lastNumber(const std::string& text) {
+    const std::size_t end = text.find_last_of("0123456789");
+    if (end == std::string::npos) return -1;
+    const std::size_t before = text.find_last_not_of("0123456789", end);
+    const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+    return end - begin < 18 ? std::stoll(text.substr(begin, end - begin + 1)) : -1;
+}
+
+using Numbered = std::vector<std::pair<long long, fs::path>>;
+
+Numbered matches(const fs::path& pattern) {
+    const std::string name = pattern.filename().string();
+    const std::size_t star = name.find('*');
+    if (name.find('*', star + 1) != std::string::npos) fail(pattern, "more than one *");
+    const std::string before = name.substr(0, star), after = name.substr(star + 1);
+    const fs::path folder = pattern.has_parent_path() ? pattern.parent_path() : ".";
+    Numbered found;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        const std::string file = entry->path().filename().string();
+        if (file.size() < name.size() - 1 || !file.starts_with(before) || !file.ends_with(after))
+            continue;
+        const long long number =
+            lastNumber(file.substr(before.size(), file.size() - name.size() + 1));
+        if (number < 0) fail(entry->path(), "no number where the * is");
+        found.emplace_back(number, entry->path());
+    }
+    if (error) fail(pattern, "the folder cannot be read");
+    if (found.empty()) fail(pattern, "no file matches");
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+void checkNoGaps(const Numbered& files) {
+    for (std::size_t i = 1; i < files.size(); ++i) {
+        if (files[i].first == files[i - 1].first)
+            fail(files[i].second, "the same number as " + files[i - 1].second.string());
+        const long long step = files[1].first - files[0].first;
+        if (files[i].first != files[i - 1].first + step)
+            fail(files[i].second, "no file of number " + std::to_string(files[i - 1].first + step) +
+                                      " before this one");
+    }
+}
+
+std::string counts(const SimplicialComplex& complex) {
+    return std::to_string(complex.count(0)) + " vertices, " + std::to_string(complex.count(1)) +
+           " edges and " + std::to_string(complex.count(2)) + " triangles";
+}
+
+Shape readPattern(const fs::path& pattern, Meshes& meshes) {
+    const Numbered files = matches(pattern);
+    checkNoGaps(files);
+    Shape first = readMesh(files[0].second);
+    meshes.push_back(first.positions);
+    for (std::size_t i = 1; i < files.size(); ++i) {
+        Shape shape = readMesh(files[i].second);
+        const std::string here = counts(shape.complex), there = counts(first.complex);
+        if (here != there)
+            fail(files[i].second, here + ", but " + files[0].second.string() + " has " + there);
+        if (shape.complex != first.complex)
+            fail(files[i].second, "its faces differ from those of " + files[0].second.string());
+        meshes.push_back(std::move(shape.positions));
+    }
+    return first;
+}
+
+// The mesh that a point cache goes with.
+Shape meshBeside(const fs::path& cache) {
+    for (const char* const extension : {".obj", ".ply"}) {
+        fs::path mesh = cache;
+        mesh.replace_extension(extension);
+        if (fs::exists(mesh)) return readMesh(mesh);
+    }
+    fail(cache, "neither an .obj nor a .ply of its name beside it");
+}
+
+// "POINTCACHE2" and a zero; int32 version and points; float first frame and frames between samples;
+// int32 samples; then three floats a point (demos/export.h writes the same).
+struct Pc2Header {
+    char magic[12];
+    std::int32_t version, points;
+    float firstFrame, spacing;
+    std::int32_t samples;
+};
+static_assert(sizeof(Pc2Header) == 32);
+
+Pc2Header pc2Header(MeshBuilder& reader, std::string_view content) {
+    Pc2Header header;
+    if (content.size() < sizeof header) reader.fail("the file ends too early");
+    std::memcpy(&header, content.data(), sizeof header);
+    if (std::memcmp(header.magic, "POINTCACHE2", 12) != 0) reader.fail("not a PC2 file");
+    if (header.version != 1) reader.fail("version " + std::to_string(header.version) + ", not 1");
+    if (header.points < 1 || header.samples < 1) reader.fail("no points or no samples");
+    if (!(header.spacing > 0) || !std::isfinite(header.spacing))
+        reader.fail("its frames between samples must be positive");
+    return header;
+}
+
+Shape readPc2(const fs::path& path, Meshes& meshes, double& spacing) {
+    MeshBuilder reader{.file = path.string(), .positions = {}, .simplices = {}};
+    const std::string content = contentOf(path, reader);
+    reader.unit = "byte ";
+    const Pc2Header header = pc2Header(reader, content);
+    spacing = double{header.spacing};
+    const std::size_t points = static_cast<std::size_t>(header.points),
+                      samples = static_cast<std::size_t>(header.samples),
+                      room = (content.size() - sizeof header) / 12;
+    reader.position = content.size();
+    if (room / points < samples) reader.fail("the file ends too early");
+    if (content.size() != sizeof header + 12 * points * samples)
+        reader.fail("more behind the last sample");
+    Shape shape = meshBeside(path);
+    if (shape.positions.size() != points)
+        reader.position = 16, reader.fail(std::to_string(points) + " points, but the mesh has " +
+                                          std::to_string(shape.positions.size()) + " vertices");
+    reader.position = sizeof header;
+    meshes.assign(samples, std::vector<Vec<double>>(points));
+    for (std::vector<Vec<double>>& mesh : meshes)
+        for (Vec<double>& x : mesh) {
+            float at[3];
+            std::memcpy(at, &content[reader.position], sizeof at);
+            x = {double{at[0]}, double{at[1]}, double{at[2]}};
+            if (!isFinite(x)) reader.fail("a coordinate that is not finite");
+            reader.position += sizeof at;
+        }
+    shape.positions = meshes[0];
+    return shape;
+}
+
+}  // namespace
+
+MeshSequence::MeshSequence(const fs::path& path, const MeshSequenceOptions& options)
+    : options_(options) {
+    if (!(options.frameRate > 0) || !std::isfinite(options.frameRate))
+        throw std::invalid_argument("a sequence's frame rate must be positive");
+    if (!std::isfinite(options.start))
+        throw std::invalid_argument("a sequence's start must be finite");
+    Meshes meshes;
+    double spacing = 1;
+    const bool pattern = path.filename().string().find('*') != std::string::npos;
+    if (!pattern && path.extension() != ".pc2") fail(path, "neither a pattern with a * nor a .pc2");
+    first_ = std::make_shared<const Shape>(pattern ? readPattern(path, meshes)
+                                                   : readPc2(path, meshes, spacing));
+    meshes_ = std::make_shared<const Meshes>(std::move(meshes));
+    options_.frameRate /= spacing;
+}
+
+double MeshSequence::end() const { return options_.start + (count() - 1) / options_.frameRate; }
+
+void MeshSequence::operator()(double t, std::span<Vec<double>> positions) const {
+    if (positions.size() != first_->positions.size())
+        throw std::invalid_argument("a sequence of " + std::to_string(first_->positions.size()) +
+                                    " vertices moves " + std::to_string(positions.size()));
+    const int last = count() - 1;
+    const double place =
+        std::clamp((t - options_.start) * options_.frameRate, 0.0, static_cast<double>(last));
+    const int i = std::min(static_cast<int>(place), std::max(last - 1, 0));
+    const double s = place - i;
+    const auto mesh = [&](int k) -> const std::vector<Vec<double>>& {
+        return (*meshes_)[static_cast<std::size_t>(k)];
+    };
+    const auto &a = mesh(i), &b = mesh(std::min(i + 1, last));
+    // Half the way from the mesh before to the one after, in a frame; at rest at both ends.
+    const bool startsMoving = options_.smooth && i > 0,
+               endsMoving = options_.smooth && i + 1 < last;
+    const auto &before = mesh(std::max(i - 1, 0)), &after = mesh(std::min(i + 2, last));
+    const double f = options_.smooth ? s * s * (3 - 2 * s) : s;
+    const double fa = s * (1 - s) * (1 - s), fb = -s * s * (1 - s);
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+        positions[v] = a[v] + f * (b[v] - a[v]);
+        if (startsMoving) positions[v] += fa / 2 * (b[v] - before[v]);
+        if (endsMoving) positions[v] += fb / 2 * (after[v] - a[v]);
+    }
+}
+
+}  // namespace plait

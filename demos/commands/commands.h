@@ -1,0 +1,18 @@
+// Every command of plait, each in a file of its own.
+#pragma once
+
+#include "demos/tools/arguments.h"
+
+namespace plait {
+
+Command listCommand();
+Command describeCommand();
+Command runCommand();
+Command renderCommand();
+Command checkCommand();
+Command compareCommand();
+Command benchCommand();
+Command stabilityCommand();
+Command studyCommand();
+
+}  // namespace plait

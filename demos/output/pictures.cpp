@@ -1,0 +1,269 @@
+#include "pictures.h"
+
+#include "demos/tools/errors.h"
+#include "demos/tools/pipe.h"
+#include "demos/tools/words.h"
+#include "overlays.h"
+#include "render/pictures/caption.h"
+#include "render/pictures/contact_sheet.h"
+#include "render/pictures/image.h"
+#include "render/pictures/legend.h"
+#include "render/renderer.h"
+#include "render/video.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace plait {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t queueLength = 4;
+
+Settings wordsOf(const PictureOptions& options) {
+    Settings settings{
+        {"size", std::to_string(options.width) + "x" + std::to_string(options.height)},
+        {"frames", std::to_string(options.first) + ":" + std::to_string(options.last)},
+        {"overlay", options.overlay},
+        {"caption", options.caption ? "yes" : "no"},
+        {"gl", options.gl}};
+    if (const auto& camera = options.camera) {
+        std::string words;
+        for (const double n : {camera->eye.x, camera->eye.y, camera->eye.z, camera->target.x,
+                               camera->target.y, camera->target.z, camera->focalLength})
+            words += (words.empty() ? "" : ",") + text(n);
+        settings.emplace_back("camera", words);
+    }
+    return settings;
+}
+
+std::string numbersOf(const Run& run, const RunFrame& frame) {
+    const auto rounded = [](const char* format, double value) {
+        char buffer[32];
+        std::snprintf(buffer, sizeof buffer, format, value);
+        return std::string(buffer);
+    };
+    std::string line;
+    for (const auto& [name, value] : settingsOf(run)) {
+        if (name == "method") line += value;
+        if (name == "substeps") line += " · " + value + (value == "1" ? " substep" : " substeps");
+    }
+    for (std::size_t i = 0; i < run.scene.metrics.size(); ++i) {
+        const Metric& metric = run.scene.metrics[i];
+        if (metric.caption)
+            // Not -0.00.
+            line += " · " + metric.name + " " +
+                    rounded("%.2f", std::round(100 * frame.metrics[i]) / 100 + 0.0) +
+                    (metric.unit.empty() ? "" : " " + metric.unit);
+    }
+    return line + " · " + rounded("%.1f", 1000 * frame.seconds) + " ms a frame";
+}
+
+}  // namespace
+
+struct Pictures::Work {
+    struct Drawn {
+        RunFrame frame;
+        Picture picture;
+        bool fresh;  // not read from a file
+    };
+
+    Work(const Run& r, const RunFolder& f, const PictureOptions& o)
+        : run(r), folder(f), options(o), overlays(r, o.overlay) {
+        prepareFolder();
+        drawer = std::jthread([this] { guarded([this] { draw(); }); });
+        encoder = std::jthread([this] { guarded([this] { encode(); }); });
+    }
+    ~Work() { abandon(); }
+
+    // Pictures of other options would mix with these.
+    void prepareFolder() const {
+        const fs::path into = folder.path() / "frames", settings = into / "settings.txt";
+        const std::string words = textOf(wordsOf(options));
+        if (options.keep && fs::exists(settings) && readWhole(settings) == words) return;
+        fs::remove_all(into);
+        for (const char* name : {"clip.mp4", "clip.webp", "contact.png"})
+            fs::remove(folder.path() / name);
+        makeFolder(into);
+        writeWhole(settings, words);
+    }
+
+    void draw();
+    void encode();
+    Picture finished(const Drawn& drawn) const;
+
+    // What a stage throws ends both, and is thrown again where frames come from.
+    template <class Stage>
+    void guarded(const Stage& stage) {
+        try {
+            stage();
+        } catch (...) {
+            const std::lock_guard lock(mutex);
+            if (!error) error = std::current_exception();
+            abandon();
+        }
+    }
+    void abandon() {
+        stopped = true;
+        frames.close(true);
+        pictures.close(true);
+    }
+    void rethrow() {
+        std::exception_ptr thrown;
+        {
+            const std::lock_guard lock(mutex);
+            thrown = error;
+        }
+        if (!thrown) return;
+        try {
+            std::rethrow_exception(thrown);
+        } catch (const std::invalid_argument& wrong) {
+            throw SceneError(run.entry->name + " cannot be filmed: " + wrong.what());
+        } catch (const std::runtime_error& wrong) {
+            throw FileError(wrong.what());
+        }
+    }
+    void note(double& stage, std::chrono::steady_clock::time_point since) {
+        const std::lock_guard lock(mutex);
+        stage += std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+    }
+
+    const Run& run;
+    const RunFolder& folder;
+    PictureOptions options;
+    Overlays overlays;
+    Pipe<RunFrame> frames{queueLength};
+    Pipe<Drawn> pictures{queueLength};
+    std::atomic<int> done{0};
+    std::atomic<bool> stopped{false}, ended{false};
+    std::mutex mutex;  // of what follows
+    std::exception_ptr error;
+    std::string library, renderer;
+    double opening = 0, drawing = 0, encoding = 0;  // s
+    std::jthread drawer, encoder;
+};
+
+void Pictures::Work::draw() {
+    const auto start = std::chrono::steady_clock::now();
+    Renderer lens(run.scene, {.width = options.width,
+                              .height = options.height,
+                              .samples = 4,
+                              .gl = glChoice(options.gl)});
+    note(opening, start);
+    {
+        const std::lock_guard lock(mutex);
+        library = lens.context().library();
+        renderer = lens.context().renderer();
+    }
+    std::optional<CameraPose> pose;
+    if (const auto& c = options.camera) {
+        const auto vec = [](const Vec<double>& v) { return glm::vec3(glm::dvec3(v.x, v.y, v.z)); };
+        pose = CameraPose{vec(c->eye), vec(c->target),
+                          static_cast<float>(2 * std::atan(10.125 / c->focalLength))};
+    }
+    while (std::optional<RunFrame> frame = frames.pop()) {
+        const auto begin = std::chrono::steady_clock::now();
+        const fs::path path = folder.picturePath(frame->number);
+        Drawn drawn{.frame = {}, .picture = {}, .fresh = !(options.keep && fs::exists(path))};
+        if (drawn.fresh) {
+            const Overlay overlay = overlays.of(*frame);
+            drawn.picture =
+                lens.draw(frame->positions, frame->time, overlays.none() ? nullptr : &overlay,
+                          pose ? &*pose : nullptr);
+        } else {
+            drawn.picture = readPng(path);
+        }
+        drawn.frame = std::move(*frame);
+        note(drawing, begin);
+        if (!pictures.push(std::move(drawn))) return;
+    }
+    pictures.close();
+}
+
+Picture Pictures::Work::finished(const Drawn& drawn) const {
+    Picture picture = drawn.picture;
+    if (!overlays.none()) drawLegend(picture, overlays.legend());
+    if (options.caption) {
+        const double shown = (drawn.frame.number - options.first + 1) / run.frameRate();
+        drawCaption(picture, {.title = run.entry->title,
+                              .numbers = numbersOf(run, drawn.frame),
+                              .fade = std::min(1.0, shown / 0.3)});
+    }
+    return picture;
+}
+
+void Pictures::Work::encode() {
+    const FrameRate rate = run.scene.options.schedule.frameRate;
+    const auto writer = [&](const char* name) {
+        return std::make_unique<VideoWriter>(folder.path() / name, options.width, options.height,
+                                             FrameRate{rate.frames, rate.seconds});
+    };
+    std::vector<std::unique_ptr<VideoWriter>> videos;
+    videos.push_back(writer("clip.mp4"));
+    if (options.webp) videos.push_back(writer("clip.webp"));
+    const std::vector<int> chosen = sheetFrames(options.last - options.first + 1);
+    std::vector<SheetFrame> sheet;
+    while (std::optional<Drawn> drawn = pictures.pop()) {
+        const auto begin = std::chrono::steady_clock::now();
+        const int number = drawn->frame.number;
+        if (drawn->fresh) drawn->picture = finished(*drawn);
+        if (drawn->fresh) writePng(folder.picturePath(number), drawn->picture);
+        for (const auto& video : videos) video->add(drawn->picture);
+        if (std::find(chosen.begin(), chosen.end(), number - options.first) != chosen.end())
+            sheet.push_back({std::move(drawn->picture), drawn->frame.time});
+        note(encoding, begin);
+        done = number;
+    }
+    if (stopped) return;
+    for (const auto& video : videos) video->finish();
+    writePng(folder.path() / "contact.png", contactSheet(sheet, run.entry->title));
+    ended = true;
+}
+
+Pictures::Pictures(const Run& run, const RunFolder& folder, const PictureOptions& options)
+    : work_(std::make_unique<Work>(run, folder, options)) {}
+
+Pictures::~Pictures() = default;
+
+void Pictures::add(RunFrame frame) {
+    work_->rethrow();
+    if (frame.number < work_->options.first || frame.number > work_->options.last) return;
+    if (!work_->frames.push(std::move(frame))) work_->rethrow();
+}
+
+bool Pictures::finish(double seconds) {
+    work_->frames.close();
+    const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+    while (!work_->ended && std::chrono::steady_clock::now() < until) {
+        work_->rethrow();
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return work_->ended;
+}
+
+int Pictures::done() const { return work_->done; }
+
+Stages Pictures::stages() const {
+    const std::lock_guard lock(work_->mutex);
+    return {
+        {"open renderer", work_->opening}, {"draw", work_->drawing}, {"encode", work_->encoding}};
+}
+
+std::string Pictures::glLibrary() const {
+    const std::lock_guard lock(work_->mutex);
+    return work_->library;
+}
+
+std::string Pictures::glRenderer() const {
+    const std::lock_guard lock(work_->mutex);
+    return work_->renderer;
+}
+
+}  // namespace plait

@@ -1,0 +1,57 @@
+// Everything that decides the state of a run, as words: options of the command line, lines of
+// cache/settings.txt and keys of run.json are one table.
+#pragma once
+
+#include "scenes/scene.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace plait {
+
+enum class Precision { single, full };
+
+// A scene built with its knobs, its own options overruled by those given.
+struct Run {
+    const SceneEntry* entry = nullptr;
+    Knobs knobs;
+    Scene scene;
+    Precision precision = Precision::single;
+
+    int frames() const;        // after frame 0, the start; at least 1
+    double frameRate() const;  // frames in a second
+};
+
+// Options that decide a state. Their values are those that `settingsOf` gives.
+struct SettingOption {
+    std::string name, argument, meaning;
+};
+const std::vector<SettingOption>& settingOptions();
+
+// Name and value of each setting, scene, quality and knobs first.
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+// The run that these settings ask for; what is not named has the scene's own value. Settings may
+// come in any order: "scene", "quality", "knob.NAME" and the names of settingOptions().
+//
+// A new frame rate changes the substeps in a frame, unless they are given too, so that the length
+// of a substep stays: it decides how often one looks, not what happens.
+//
+// Throws UsageError for unknown names and bad values, FileError for a mesh that cannot be read,
+// SceneError for a scene that cannot be built.
+Run makeRun(const Settings& settings);
+
+// All settings of a run, in one fixed order: equal runs give equal text.
+Settings settingsOf(const Run& run);
+
+// One a line, "name=value".
+std::string textOf(const Settings& settings);
+Settings settingsFrom(const std::string& text);
+
+// Throws UsageError with the nearest name.
+const SceneEntry& sceneNamed(const std::string& name);
+
+const std::vector<std::string>& qualityNames();
+
+}  // namespace plait

@@ -1,0 +1,78 @@
+// What is seen of an object: from its vertices in the world to triangles with normals, every frame.
+#pragma once
+
+#include "mesh_vertex.h"
+#include "polyline.h"
+#include "scenes/view.h"
+#include "subdivision.h"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace plait {
+
+// Triangles are smoothed and, where they are wide, divided once (unless they bound tetrahedra);
+// edges without triangles become tubes, points without edges balls. Simplices belong to the object
+// if all their vertices do.
+class Skin {
+public:
+    // `pixel`: m, that a pixel shows of the object. Throws std::invalid_argument if `look` has a
+    // range outside the complex or a wrong number of uv, colours or satin.
+    Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, const Look& look,
+         float pixel);
+    // Throws std::invalid_argument if `coil` ends at no vertex or has no turn.
+    Skin(std::span<const Vec<double>> rest, const Coil& coil);
+    // A thing that stays as it is; its edges are sharp from 40 degrees on.
+    explicit Skin(const Prop& prop);
+
+    // Positions of the whole world (m); tints of an overlay by vertex of the world, or none.
+    void update(std::span<const Vec<double>> positions, std::span<const glm::vec3> tints = {});
+
+    const std::vector<MeshVertex>& vertices() const { return vertices_; }
+    const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
+    Material material() const { return material_; }
+    const glm::vec3& color() const { return color_; }
+    bool printed() const { return printed_; }
+    bool colored() const { return !colors_.empty(); }  // by vertex, unless tinted
+    const glm::vec2& size() const { return size_; }    // m, of the cloth along u and v
+    // m, of an edge of a surface whose triangles are as small as is seen: there light changes
+    // little from vertex to vertex. Otherwise 0.
+    float facet() const { return facet_; }
+
+private:
+    void addSurface(const SimplicialComplex& complex, std::span<const Vec<double>> rest,
+                    const Look& look, float pixel);
+    void paint(const Look& look);
+    void layCloth(std::span<const Vec<double>> rest, std::span<const std::array<int, 3>> triangles,
+                  const Look& look);
+    void updateSurface(bool tinted);
+    void updateCurves();
+    void updateCoil(const Coil& coil);
+
+    Range range_;
+    Material material_;
+    glm::vec3 color_;
+    bool printed_ = false;
+    float radius_ = 0;
+    glm::vec2 size_{1};
+    float facet_ = 0;
+
+    Subdivision subdivision_;  // none: fine is coarse
+    int surfaceVertices_ = 0, surfaceTriangles_ = 0;
+    std::vector<glm::vec2> uv_;  // m, of fine vertices
+    std::vector<glm::vec3> colors_;
+    std::vector<float> satin_;
+    std::vector<Polyline> curves_;
+    std::optional<Coil> coil_;
+    std::vector<int> balls_;
+    Shape ball_;
+
+    std::vector<glm::vec3> coarse_, fine_;
+    std::vector<glm::vec3> coarseTints_, fineTints_;
+    std::vector<MeshVertex> vertices_;
+    std::vector<std::array<int, 3>> triangles_;
+};
+
+}  // namespace plait

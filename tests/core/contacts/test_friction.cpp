@@ -1,0 +1,191 @@
+// Friction, stickiness and layers of matter that meets matter, against the laws of Coulomb.
+#include "contact_worlds.h"
+#include "tests/catch.h"
+#include "tests/report.h"
+
+#include <plait/measure/energy.h>
+
+#include <numbers>
+#include <tuple>
+
+using namespace plait;
+using namespace plait::test;
+
+namespace {
+
+// A Surface of vertices that are given later.
+Surface rough(double standing, double sliding) {
+    Surface surface;
+    surface.thickness = 0.001;
+    surface.staticFriction = standing;
+    surface.dynamicFriction = sliding;
+    return surface;
+}
+
+constexpr double g = 9.81, degree = std::numbers::pi / 180, skin = 0.001;
+
+struct Incline {
+    double mu = 0.5;
+    double angle = 0;
+    bool cube = true;  // else a point
+    int passes = 64;   // with 16, a cube is not solved well enough to stay
+};
+
+// How far something slides down in each of the frames (m).
+std::vector<double> slide(const Incline& p, int frames) {
+    World world;
+    const Range slope = addSlope(world, p.angle);
+    const Vec<double> along{std::cos(p.angle), -std::sin(p.angle), 0}, up{-along.y, along.x, 0};
+    const Range body = p.cube ? addCube(world, p.angle, 2 * skin) : addPoint(world, 2 * skin * up);
+    world.act<Gravity>(GravityOptions{});
+    Surface lower = rough(p.mu, p.mu), upper = lower;
+    lower.vertices = slope;
+    upper.vertices = body;
+    meet(world, {lower, upper}, {.order = 5});
+    Solver<float> solver(world, meeting(20, p.passes));
+    const Vec<double> start = meanOf(solver.positions(), body);
+    std::vector<double> course;
+    for (int frame = 0; frame < frames; ++frame) {
+        solver.frame();
+        course.push_back(dot(meanOf(solver.positions(), body) - start, along));
+    }
+    return course;
+}
+
+double acceleration(double mu, double angle) {
+    return g * (std::sin(angle) - mu * std::cos(angle));
+}
+
+// A point of 1 kg that lies on the level and starts at 4 m/s: what it loses in 0.25 s, over g t.
+double measuredFriction(const Surface& floor, const Surface& matter) {
+    World world;
+    Surface lower = floor, upper = matter;
+    lower.vertices = addSlope(world, 0);
+    upper.vertices = addPoint(world, {0, 2 * skin, 0}, 1, {4, 0, 0});
+    world.act<Gravity>(GravityOptions{});
+    meet(world, {lower, upper});
+    Solver<float> solver(world, meeting(20));
+    advance(solver, 6);
+    return (4 - solver.velocities().back().x) / (g * 0.25);
+}
+
+}  // namespace
+
+// Steps of first order go n (n + 1) / 2 a h^2, as they do in the air.
+TEST_CASE("friction: an incline holds a degree below its angle, and not a degree above",
+          "[contacts][friction]") {
+    for (const double mu : {0.3, 0.5})
+        for (const bool cube : {false, true}) {
+            const double limit = std::atan(mu);
+            const std::string what = (cube ? "cube" : "point") + (", mu " + std::to_string(mu));
+            const double creep = slide({mu, limit - degree, cube}, 24).back();
+            CHECK(report(what + ", creep in 1 s, m", std::fabs(creep), 1e-5));
+            for (const double off : {1.0, 5.0}) {
+                const double angle = limit + off * degree, a = acceleration(mu, angle);
+                const std::vector<double> x = slide({mu, angle, cube}, 24);
+                const double n = 24 * 20, distance = 0.5 * a * (1 + 1 / n);
+                CHECK(report(what + ", distance", std::fabs(x.back() / distance - 1), 0.01));
+                const double speed = 24 * (x[23] - x[22]), mean = a * (1 - 0.5 / 24 + 0.5 / n);
+                CHECK(report(what + ", speed at the end", std::fabs(speed / mean - 1), 0.01));
+            }
+        }
+}
+
+TEST_CASE("friction: below the threshold a cube stays for a minute, above it goes",
+          "[contacts][friction][long]") {
+    for (const double mu : {0.3, 0.5}) {
+        const double creep = slide({mu, std::atan(0.95 * mu), true}, 60 * 24).back();
+        CHECK(report("creep in 60 s, m", std::fabs(creep), 1e-3));
+        const double angle = std::atan(1.05 * mu);
+        const double x = slide({mu, angle, true}, 24).back();
+        CHECK(report("acceleration", std::fabs(2 * x / acceleration(mu, angle) - 1), 0.1));
+    }
+}
+
+// v^2 / 2 mu g on the way, which steps of first order shorten by v h / 2.
+TEST_CASE("friction: what slides comes to rest where it should", "[contacts][friction]") {
+    World world;
+    const Range floor = addSlope(world, 0), point = addPoint(world, {0, 2 * skin, 0}, 1, {2, 0, 0});
+    world.act<Gravity>(GravityOptions{});
+    meet(world,
+         {{.vertices = floor, .thickness = skin, .staticFriction = 0.4, .dynamicFriction = 0.4},
+          {.vertices = point, .thickness = skin, .staticFriction = 0.4, .dynamicFriction = 0.4}});
+    Solver<float> solver(world, meeting(40));
+    advance(solver, 24);
+    CHECK(report("distance", std::fabs(solver.positions().back().x / 0.509684 - 1), 0.01));
+    CHECK(topSpeed(solver) < 1e-5);
+}
+
+// M 5.5 [FR1].
+TEST_CASE("friction: of a pair the mean, at most 1", "[contacts][friction]") {
+    for (const auto& [a, b, pair] : {std::tuple{0.0, 1.0, 0.5},
+                                     {0.0, 2.0, 1.0},
+                                     {0.2, 0.6, 0.4},
+                                     {3.0, 3.0, 1.0},
+                                     {0.0, 0.0, 0.0}}) {
+        const double mu = measuredFriction(rough(a, a), rough(b, b));
+        CHECK(report("of " + std::to_string(a) + " and " + std::to_string(b), std::fabs(mu - pair),
+                     0.01));
+    }
+    // What slides feels the dynamic one, however rough it is at rest [FR5, FR6].
+    const Surface both = rough(0.9, 0.3);
+    CHECK(report("static 0.9, dynamic 0.3", std::fabs(measuredFriction(both, both) - 0.3), 0.01));
+}
+
+// [FR2]
+TEST_CASE("friction: below zero it adds energy, and is warned of", "[contacts][friction]") {
+    const Surface slick = rough(-0.2, -0.2);
+    CHECK(report("of -0.2", std::fabs(measuredFriction(slick, slick) + 0.2), 0.01));
+    World world;
+    Surface surface = slick;
+    surface.vertices = addPoint(world, {});
+    meet(world, {surface}, {.name = "skin"});
+    REQUIRE(world.warnings.size() == 2);
+    CHECK(world.warnings[0].find("skin.staticFriction") != std::string::npos);
+    CHECK(world.warnings[1].find("skin.dynamicFriction") != std::string::npos);
+}
+
+// [FR4] A point below a ceiling that holds 2 N.
+TEST_CASE("stickiness: holds its force, and tears above", "[contacts][friction]") {
+    for (const auto& [mass, holds] : {std::pair{0.19, true}, {0.22, false}}) {
+        World world;
+        Surface ceiling, drop;
+        ceiling.stickiness = 1;
+        drop.stickiness = 3;
+        ceiling.vertices = addSlope(world, 0);
+        drop.vertices =
+            addPoint(world, {0.3, -2 * skin, 0}, mass);  // not on the diagonal: one contact
+        world.act<Gravity>(GravityOptions{});
+        meet(world, {ceiling, drop});
+        Solver<float> solver(world, meeting(20));
+        advance(solver, 24);
+        const double fallen = -2 * skin - solver.positions().back().y;
+        if (holds) CHECK(report("sagged, m", std::fabs(fallen), 1e-4));
+        if (!holds) CHECK(fallen > 4);
+    }
+}
+
+// [LY2, LY3] Two alike that meet head on, at rest afterwards unless one of them yields less.
+TEST_CASE("layers: the lower one yields less, by the shock, whatever the difference",
+          "[contacts][friction]") {
+    for (const auto& [a, b, shock, ratio] : {std::tuple{0, 0, 2.0, 1.0},
+                                             {0, 1, 2.0, 2.0},
+                                             {0, 5, 2.0, 2.0},
+                                             {1, 0, 2.0, 0.5},
+                                             {0, 1, 1.0, 1.0},
+                                             {-3, 1, 10.0, 10.0}}) {
+        World world;
+        Surface left, right;
+        left.layer = a;
+        right.layer = b;
+        left.vertices = addPoint(world, {-0.1, 0, 0}, 1, {1, 0, 0});
+        right.vertices = addPoint(world, {0.1, 0, 0}, 1, {-1, 0, 0});
+        meet(world, {left, right}, {.layerShock = shock});
+        Solver<double> solver(world, meeting(10));
+        advance(solver, 12);
+        const Points v = solver.velocities();
+        CHECK(report("ratio of layers " + std::to_string(a) + " and " + std::to_string(b),
+                     std::fabs((1 + v[1].x) / (1 - v[0].x) / ratio - 1), 1e-6));
+        CHECK(std::fabs(v[0].x - v[1].x) < 1e-9);
+    }
+}

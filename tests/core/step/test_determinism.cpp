@@ -1,0 +1,122 @@
+// The same bits on every scene, whatever runs it. What compilers and levels add is compared by
+// tests/run --long, through plait_hash.
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "scenes/scene.h"
+#include "tests/catch.h"
+#include "tests/small_scenes.h"
+
+#include <plait/solver.h>
+#include <plait/stencils.h>
+
+using namespace plait;
+using namespace plait::test;
+
+namespace {
+
+constexpr int frames = 3;
+
+template <class Real>
+std::uint64_t hashAfter(const Scene& scene, int threads, KernelChoice kernels) {
+    SolverOptions options = scene.options;
+    options.threads = threads;
+    options.kernels = kernels;
+    Solver<Real> solver(scene.world, options);
+    for (int i = 0; i < frames; ++i) solver.frame();
+    return solver.hash();
+}
+
+std::vector<KernelChoice> everyChoice() {
+    std::vector<KernelChoice> choices;
+    for (const Isa isa : {Isa::v2, Isa::v3, Isa::v4})
+        for (const int lanes : {1, 4, 8, 16})
+            if (available({isa, lanes})) choices.push_back({isa, lanes});
+    return choices;
+}
+
+}  // namespace
+
+TEST_CASE("determinism: lanes and instruction sets", "[determinism]") {
+    for (const SceneEntry& entry : smallScenes()) {
+        const Scene scene = build(entry, Quality::draft);
+        const std::uint64_t expected = hashAfter<float>(scene, 1, {Isa::v2, 1});
+        const std::uint64_t expectedDouble = hashAfter<double>(scene, 1, {Isa::v2, 1});
+        for (const KernelChoice choice : everyChoice()) {
+            INFO(entry.name << ", v" << static_cast<int>(choice.isa) + 2 << " x" << choice.lanes);
+            REQUIRE(hashAfter<float>(scene, 1, choice) == expected);
+            REQUIRE(hashAfter<double>(scene, 1, choice) == expectedDouble);
+        }
+    }
+}
+
+TEST_CASE("determinism: threads", "[determinism][threads]") {
+    for (const SceneEntry& entry : smallScenes()) {
+        const Scene scene = build(entry, Quality::draft);
+        const std::uint64_t expected = hashAfter<float>(scene, 1, bestKernels());
+        for (const int threads : {1, 2, 3, 8}) {
+            INFO(entry.name << ", " << threads << " threads");
+            REQUIRE(hashAfter<float>(scene, threads, bestKernels()) == expected);
+        }
+    }
+}
+
+// Large enough that the colours of every kind are cut between the threads, which the scenes' are
+// not.
+TEMPLATE_TEST_CASE("determinism: threads on a large sheet", "[determinism][threads]", float,
+                   double) {
+    Scene scene = build(findScene("sampler"));
+    World& world = scene.world;
+    const Range sheet =
+        world.add(grid({.columns = 60, .rows = 60}, {.origin = {2, -0.5, 0}}), {.density = 0.1});
+    world.pin({sheet.first});
+    world.constrain(restRows<Stretch>(edgeStencils(world.complex, sheet), world.rest),
+                    {.name = "large", .damping = 0.1});
+    world.constrain(restRows<Shear>(triangleStencils(world.complex, sheet), world.rest, 1e-2),
+                    {.name = "large shear", .damping = 0.1});
+    world.constrain(bendRows(world.complex, sheet, world.rest, 1e-4), {.name = "large bend"});
+    auto floor = restRows<PlaneContact>(pointStencils(sheet), world.rest);
+    for (auto& row : floor.rows) row = {{0, -0.5, 0}, {0, 1, 0}, 0};
+    world.constrain(floor, {.name = "large floor"});
+    scene.options.schedule.substeps = 1;
+    const std::uint64_t expected = hashAfter<TestType>(scene, 1, bestKernels());
+    for (const int threads : {2, 3, 8}) {
+        INFO(threads << " threads");
+        REQUIRE(hashAfter<TestType>(scene, threads, bestKernels()) == expected);
+    }
+}
+
+TEST_CASE("determinism: a run that is rewound is the run again", "[determinism]") {
+    for (const SceneEntry& entry : smallScenes()) {
+        const Scene scene = build(entry, Quality::draft);
+        Solver<float> solver(scene.world, scene.options);
+        const std::uint64_t start = solver.hash();
+        for (int i = 0; i < frames; ++i) solver.frame();
+        const std::uint64_t end = solver.hash();
+        solver.rewind();
+        INFO(entry.name);
+        REQUIRE(solver.hash() == start);
+        for (int i = 0; i < frames; ++i) solver.frame();
+        REQUIRE(solver.hash() == end);
+        REQUIRE(end != start);
+    }
+}
+
+// The lines of plait_hash, so that a change of bits is seen where it is made.
+TEST_CASE("determinism: the hashes of all scenes are those that were blessed", "[determinism]") {
+    const std::string golden = std::string(PLAIT_ROOT) + "/golden/hashes.txt";
+    std::ifstream file(golden);
+    REQUIRE(file.good());
+    std::string expected((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    std::string actual;
+    FILE* pipe = popen(PLAIT_HASH, "r");
+    REQUIRE(pipe != nullptr);
+    std::array<char, 256> line{};
+    while (std::fgets(line.data(), line.size(), pipe)) actual += line.data();
+    REQUIRE(pclose(pipe) == 0);
+    INFO("if the change is meant: build/plait_hash > golden/hashes.txt");
+    REQUIRE(actual == expected);
+}
