@@ -33,9 +33,6 @@ public:
     // A substep begins: multipliers to zero, moving targets to where they are at its end.
     virtual void begin(const Substep&, Workers&) {}
 
-    // Before the columns, where everything has been predicted: impacts that bounce.
-    virtual void strike(const Sweep<Real>&, const State<Real>&, Workers&) {}
-
     // Every constraint of the set once; backward is exactly the reverse of forward. Corrections go
     // to the d of sweep.particles.
     virtual void project(const Sweep<Real>&, Direction, Workers&) = 0;
@@ -51,18 +48,8 @@ public:
     // The last word on positions, after all sweeps, in a world with contacts: in turns, contacts
     // last. Returns the counted work, 0 where nothing was moved.
     virtual long finish(const Sweep<Real>&, Workers&) { return 0; }
-    // Contacts, after that and in turns until none does anything more: what passes through all the
-    // same goes back to where the substep began. Returns how many vertices that moves.
-    virtual long holdBack(const Sweep<Real>&, Workers&) { return 0; }
-
-    // After the velocities: what a bounce leaves and the change of positions does not show.
-    virtual void rebound(State<Real>&) const {}
-
     // Marks the vertices that a one-sided constraint pushed in this substep.
     virtual void markTouched(std::vector<std::uint8_t>& /*touched*/) const {}
-
-    // What contacts could not hold since the solver was made, pair by pair and vertex by vertex.
-    virtual long failures() const { return 0; }
 
     // The set at the positions of `state`, with second derivatives where `curved`: what methods
     // other than sweeps are made of. Of the rows of the last begin(). False: it has no such form.

@@ -16,15 +16,17 @@ public:
     // The name that warnings and a divergence report use.
     virtual std::string name() const = 0;
 
-    // True: it writes state.air.
+    // What it keeps past a substep, as a run begins.
+    virtual void furnish(Drawer<Real>&) const {}
+    // True: it writes State::air(), which is in the drawer of the first that does.
     virtual bool hasInertia() const { return false; }
 
     // A frame begins, from time t0 to t1 (s): fields are evaluated here, once a frame (M 3.1.2)
     // [IN29].
     virtual void beginFrame(const State<Real>&, double /*t0*/, double /*t1*/, Workers&) {}
     // Before any force of the substep, where everything stays until all have been applied: what
-    // follows from positions, and the inertia of the air, written to state.air, with what it takes
-    // from velocities.
+    // follows from positions, and the inertia of the air, written to state.air(), with what it
+    // takes from velocities.
     virtual void prepare(State<Real>&, Workers&) {}
     // v <- v + h W f for a substep of h seconds that begins at time t. Vertices without inverse
     // mass stay as they are.
@@ -34,7 +36,7 @@ public:
 // v <- v + W p for an impulse p in N s, with W = w I - q q^T.
 template <class Real>
 void push(State<Real>& state, std::size_t i, const Vec<Real>& p) {
-    const Vec<Real>& q = state.air[i].v;
+    const Vec<Real> q = state.airAt(i);
     state.velocity[i].v += state.particles[i].w * p - dot(q, p) * q;
 }
 

@@ -1,8 +1,8 @@
 #include "solver.h"
 
 #include "measure/hash.h"
-#include "methods/nucleus.h"
-#include "methods/xpbd.h"
+#include "methods/sweeps/nucleus.h"
+#include "methods/sweeps/xpbd.h"
 #include "numbers/elementary.h"
 #include "numbers/finite.h"
 
@@ -23,7 +23,7 @@ void Solver<Real>::substep(double fraction) {
     predict(second);      // x <- x + h v, or (4 x - x1) / 3 + 2/3 h v
     movePins(fraction);   // x <- where the artist wants it
     beginSets(fraction);  // lambda <- 0
-    for (const int s : contacts_) sets_[s]->strike(sweepOf(s), state_, workers_);
+    forContacts([&](auto& set, int s) { set.strike(sweepOf(s), state_, drawerOf(s), workers_); });
     if (whole_) {
         takeWhole();  // x <- where another method has it (methods/)
     } else {
@@ -32,7 +32,7 @@ void Solver<Real>::substep(double fraction) {
     }
     finishSets();
     update(second);  // v <- (x - x1) / h, or (3 x - 4 x1 + x2) / 2 h
-    for (const int s : contacts_) sets_[s]->rebound(state_);
+    forContacts([&](auto& set, int s) { set.rebound(state_, drawerOf(s)); });
     dampRates();
     state_.hasPast = true;
     ++state_.substep;
@@ -63,7 +63,8 @@ template <class Real>
 void Solver<Real>::takeWhole() {
     schedule_.plan(state_.substep, plan_);
     const int columns = static_cast<int>(plan_.columns.size());
-    WholeSubstep<Real> substep{state_, sets_, h_, implied_, columns, options_.sweeps, workers_};
+    WholeSubstep<Real> substep{state_,  state_.kept.back(), sets_,   h_, implied_,
+                               columns, options_.sweeps,    workers_};
     evaluations_ += whole_->take(substep);
     if (blaming_) blame("the method");
 }
@@ -79,7 +80,7 @@ void Solver<Real>::evaluate(std::span<const int> sets, Direction direction) {
         set.project(sweepOf(s), direction, workers_);
         evaluations_ += set.size();
         if (noted) log->push_back({state_.substep, column_, s});
-        if (blaming_) blame(setOptions_[static_cast<std::size_t>(s)].name);
+        if (blaming_) blame(nameOf(s));
     }
 }
 
@@ -89,7 +90,7 @@ Sweep<Real> Solver<Real>::sweepOf(int set) {
                             ? nucleusSweep<Real>(schedule_.strength(set))
                             : xpbdSweep<Real>(implied_);
     sweep.particles = &state_.particles[0].x.x;
-    sweep.air = state_.hasAir ? &state_.air[0].v.x : nullptr;
+    sweep.air = state_.air();
     sweep.before = &state_.before[0].v.x;
     return sweep;
 }
@@ -114,7 +115,7 @@ void Solver<Real>::finishSets() {
     }
     for (bool held = true; held;) {
         held = false;
-        for (const int s : contacts_) held |= sets_[s]->holdBack(sweepOf(s), workers_) > 0;
+        forContacts([&](auto& set, int s) { held |= set.holdBack(sweepOf(s), workers_) > 0; });
     }
 }
 
@@ -130,7 +131,7 @@ void Solver<Real>::smooth() {
             sweep.out = &sums_[0].v.x;
             sets_[s]->smooth(sweep, workers_);
             evaluations_ += sets_[s]->size();
-            if (blaming_) blame(setOptions_[s].name);
+            if (blaming_) blame(nameOf(static_cast<int>(s)));
         }
         for (std::size_t i = 0; i < sums_.size(); ++i) state_.particles[i].d += sums_[i].v;
     }
@@ -140,16 +141,17 @@ void Solver<Real>::smooth() {
 template <class Real>
 void Solver<Real>::dampRates() {
     for (std::size_t s = 0; s < sets_.size(); ++s) {
-        if (setOptions_[s].damping <= 0) continue;
+        const double damping = world_->sets[s].options.damping;
+        if (damping <= 0) continue;
         Sweep<Real> sweep = sweepOf(static_cast<int>(s));
-        sweep.strength = static_cast<Real>(1 - power(1 - setOptions_[s].damping, 24 * h_));
+        sweep.strength = static_cast<Real>(1 - power(1 - damping, 24 * h_));
         sweep.out = &state_.velocity[0].v.x;
         sets_[s]->damp(sweep, workers_);
         if (options_.integrator == Integrator::bdf2) {
             sweep.out = &state_.lastVelocity[0].v.x;  // from which it extrapolates
             sets_[s]->damp(sweep, workers_);
         }
-        if (blaming_) blame(setOptions_[s].name);
+        if (blaming_) blame(nameOf(static_cast<int>(s)));
     }
 }
 
@@ -225,15 +227,21 @@ void Solver<Real>::beginBaseStep(double t0, double t1) {
 template <class Real>
 long Solver<Real>::failuresSoFar() const {
     long sum = 0;
-    for (const int s : contacts_) sum += sets_[s]->failures();
+    forContacts([&](const auto& set, int) { sum += set.failures(); });
     return sum;
 }
 
 template <class Real>
+const std::string& Solver<Real>::nameOf(int set) const {
+    return world_->sets[static_cast<std::size_t>(set)].options.name;
+}
+
+template <class Real>
 bool Solver<Real>::finite() const {
-    for (std::size_t i = 0; i < state_.particles.size(); ++i)
-        if (!isFinite(state_.particles[i].d) || !isFinite(state_.velocity[i].v)) return false;
-    return true;
+    bool all = true;
+    State<Real>::forArrays(state_, [&](const auto& array) { all = all && allFinite(array); });
+    for (const Drawer<Real>& drawer : state_.kept) all = all && allFinite(drawer.numbers);
+    return all;
 }
 
 template <class Real>
@@ -243,45 +251,43 @@ void Solver<Real>::blame(const std::string& culprit) const {
 
 template <class Real>
 void Solver<Real>::rewind() {
-    state_ = start_;
-    evaluations_ = 0;
+    setUp();
+    evaluations_ = failures_ = 0;
 }
 
 template <class Real>
 void Solver<Real>::restore(const State<Real>& state, long evaluations) {
-    for (const auto* array :
-         {&state.velocity, &state.before, &state.last, &state.lastVelocity, &state.air})
-        if (array->size() != state_.velocity.size() ||
-            state.particles.size() != state_.particles.size() ||
-            state.tension.size() != state_.tension.size() ||
-            (!state.disabled.empty() && state.disabled.size() + 1 != state_.particles.size()))
-            throw std::invalid_argument("a state of another world cannot be restored");
+    const auto sizesOf = [](const State<Real>& of) {
+        std::vector<std::size_t> sizes;
+        State<Real>::forArrays(of, [&](const auto& array) { sizes.push_back(array.size()); });
+        for (const Drawer<Real>& drawer : of.kept)
+            sizes.insert(sizes.end(), {drawer.numbers.size(), drawer.integers.size()});
+        return sizes;
+    };
+    if (sizesOf(state) != sizesOf(state_) || state.inertia != state_.inertia)
+        throw std::invalid_argument("a state of another world cannot be restored");
     state_ = state;
     evaluations_ = evaluations;
 }
 
+// `before` is what predict() makes anew, and of first order the past decides nothing but bounces.
 template <class Real>
 std::uint64_t Solver<Real>::hash() const {
     std::uint64_t hash = hashSeed;
-    for (const Particle<Real>& p : state_.particles)
-        if (!isFinite(p.x) || !isFinite(p.d)) throw std::logic_error("hash of a state not finite");
-    for (const auto* array :
-         {&state_.velocity, &state_.before, &state_.last, &state_.lastVelocity, &state_.air})
-        for (const Padded<Real>& p : *array)
-            if (!isFinite(p.v)) throw std::logic_error("hash of a state not finite");
-    hash = hashOf(std::span<const Particle<Real>>(state_.particles), hash);
-    hash = hashOf(std::span<const Padded<Real>>(state_.velocity), hash);
+    const auto add = [&](const auto& array) {
+        if (!array.empty()) hash = hashOf(array, hash);
+    };
+    if (!finite()) throw std::logic_error("hash of a state not finite");
+    add(state_.particles);
+    add(state_.velocity);
     if (options_.integrator == Integrator::bdf2) {
-        hash = hashOf(std::span<const Padded<Real>>(state_.last), hash);
-        hash = hashOf(std::span<const Padded<Real>>(state_.lastVelocity), hash);
+        add(state_.last);
+        add(state_.lastVelocity);
     }
-    for (const Real tension : state_.tension)
-        if (!std::isfinite(tension)) throw std::logic_error("hash of a state not finite");
-    if (!state_.tension.empty()) hash = hashOf(std::span<const Real>(state_.tension), hash);
-    if (!state_.disabled.empty())
-        hash = hashOf(std::span<const std::uint8_t>(state_.disabled), hash);
-    // How the sheet stood in the last substep decides what its air takes in the next.
-    if (state_.hasAir) hash = hashOf(std::span<const Padded<Real>>(state_.air), hash);
+    for (const Drawer<Real>& drawer : state_.kept) {
+        add(drawer.numbers);
+        add(drawer.integers);
+    }
     return hash;
 }
 

@@ -3,9 +3,10 @@
 #pragma once
 
 #include "constraint.h"
+#include "contact_constraint.h"
 #include "force.h"
 #include "kernels/workers.h"
-#include "methods/chebyshev.h"
+#include "methods/sweeps/chebyshev.h"
 #include "schedule.h"
 #include "solver_options.h"
 #include "state.h"
@@ -22,15 +23,17 @@ namespace plait {
 template <class Real>
 class Solver {
 public:
-    // `world` is read here and not kept. Throws std::invalid_argument for options out of range, a
-    // vertex that moves without mass, and a start that is no number in the precision of the run.
-    Solver(const World& world, const SolverOptions& options);
+    // Throws std::invalid_argument for options out of range, a vertex that moves without mass, and
+    // a start that is no number in the precision of the run.
+    Solver(std::shared_ptr<const World> world, const SolverOptions& options);
+    Solver(World world, const SolverOptions& options)
+        : Solver(std::make_shared<const World>(std::move(world)), options) {}
 
     // Advances by one frame. Throws Diverged if a number is not finite, and what an animation
     // throws, with everything put back to where the frame began. Allocates nothing after the first
     // frame, but where lists of contacts grow.
     void frame();
-    // Back to the start of the run, bit for bit [AR11].
+    // Back to the start of the run, bit for bit, with every set and force made anew [AR11].
     void rewind();
     // Goes on from a state() of a solver of the same world and options, bit for bit, taken between
     // frames together with its evaluations(). Throws std::invalid_argument for a state of another
@@ -51,7 +54,9 @@ public:
     double time() const { return static_cast<double>(state_.substep) * h_; }  // s
     double substepLength() const { return h_; }                               // s
     long evaluations() const { return evaluations_; }  // constraints swept: the counted work
-    long failures() const { return failures_; }        // of contacts in the last frame
+    // Of the state and of what is kept to put it back.
+    std::size_t bytes() const { return state_.bytes() + checkpoint_.bytes(); }
+    long failures() const { return failures_; }  // of contacts in the last frame
     const State<Real>& state() const { return state_; }
     const Constraint<Real>& set(int i) const { return *sets_[static_cast<std::size_t>(i)]; }
     const Schedule& schedule() const { return schedule_; }
@@ -59,9 +64,13 @@ public:
     std::vector<LogMark>* log = nullptr;  // while set, every evaluation is noted here
 
 private:
-    void setUpState(const World& world);
-    void setUpSets(const World& world);
+    void setUp();
+    void setUpState();
+    void setUpPins();
+    void setUpSets();
+    void setUpDrawers();
     void setUpChebyshev();
+    void takePast();
 
     void advance();
     void beginBaseStep(double t0, double t1);
@@ -76,9 +85,17 @@ private:
     void evaluate(std::span<const int> sets, Direction direction);
     void smooth();
     void finishSets();
+    // body(set, its place), by order.
+    template <class Body>
+    void forContacts(const Body& body) const {
+        for (const int s : contacts_)
+            if (auto* set = dynamic_cast<ContactConstraint<Real>*>(sets_[s].get())) body(*set, s);
+    }
     void update(bool second);
     void dampRates();
     Sweep<Real> sweepOf(int set);
+    const std::string& nameOf(int set) const;
+    Drawer<Real>& drawerOf(int set) { return state_.kept[static_cast<std::size_t>(set)]; }
     long failuresSoFar() const;
     bool finite() const;
     void blame(const std::string& culprit) const;
@@ -90,12 +107,12 @@ private:
         std::vector<Vec<double>> start, from, to;
     };
 
+    std::shared_ptr<const World> world_;
     SolverOptions options_;
     Schedule schedule_;
     Workers workers_;
-    State<Real> state_, start_, checkpoint_;
-    std::vector<SetOptions> setOptions_;
-    std::vector<bool> isContact_;
+    State<Real> state_, checkpoint_;
+    std::vector<Vec<double>> pastPositions_, pastVelocities_;  // as given; empty: none
     std::vector<std::unique_ptr<Constraint<Real>>> sets_;
     std::vector<std::unique_ptr<Force<Real>>> forces_;
     std::unique_ptr<WholeStep<Real>> whole_;      // null: the method sweeps

@@ -1,5 +1,6 @@
 // What the solver does vertex by vertex: integration, pins, and where a run begins.
 #include "constraints/constants.h"
+#include "methods/methods.h"
 #include "numbers/elementary.h"
 #include "numbers/finite.h"
 #include "solver.h"
@@ -77,9 +78,10 @@ std::vector<ScheduledSet> scheduledSets(const World& world) {
 }  // namespace
 
 template <class Real>
-Solver<Real>::Solver(const World& world, const SolverOptions& options)
-    : options_(options),
-      schedule_(scheduledSets(world), options.schedule),
+Solver<Real>::Solver(std::shared_ptr<const World> world, const SolverOptions& options)
+    : world_(std::move(world)),
+      options_(options),
+      schedule_(scheduledSets(*world_), options.schedule),
       workers_(options.threads) {
     if (!(options.timeScale > 0) || !std::isfinite(options.timeScale))
         throw std::invalid_argument("time scale must be positive");
@@ -91,18 +93,50 @@ Solver<Real>::Solver(const World& world, const SolverOptions& options)
     if (options.smoothing < 0) throw std::invalid_argument("smoothing must not be negative");
     const FrameRate rate = options.schedule.frameRate;
     h_ = options.timeScale * rate.seconds / (double(rate.frames) * options.schedule.substeps);
-    setUpState(world);
-    setUpSets(world);
-    for (const Recipe<Force>& force : world.forces)
-        forces_.push_back(force.make<Real>(world, options.kernels));
+    for (const int s : schedule_.order())
+        if (world_->sets[static_cast<std::size_t>(s)].contact) contacts_.push_back(s);
+    setUp();
+}
+
+template <class Real>
+void Solver<Real>::setUp() {
+    state_ = {};
+    setUpState();
+    setUpPins();
+    setUpSets();
     std::vector<NamedSet<Real>> named;
     for (std::size_t s = 0; s < sets_.size(); ++s)
-        named.push_back({world.sets[s].options.name, world.sets[s].contact, sets_[s].get()});
+        named.push_back({world_->sets[s].options.name, world_->sets[s].contact, sets_[s].get()});
     const bool inertia = std::any_of(forces_.begin(), forces_.end(),
                                      [](const auto& force) { return force->hasInertia(); });
     whole_ = makeWholeStep(options_, named, state_, inertia);
+    setUpDrawers();
     setUpChebyshev();
-    start_ = state_;
+    takePast();
+}
+
+// What nobody in the run will read is not there.
+template <class Real>
+void Solver<Real>::setUpDrawers() {
+    const bool bdf2 = options_.integrator == Integrator::bdf2;
+    bool past = bdf2;
+    state_.kept.resize(sets_.size() + forces_.size() + 1);
+    forContacts([&](const auto& set, int s) {
+        set.furnish(drawerOf(s));
+        past = past || set.needsPast();
+    });
+    for (std::size_t f = 0; f < forces_.size(); ++f) {
+        const int place = static_cast<int>(sets_.size() + f);
+        if (forces_[f]->hasInertia()) {
+            if (state_.inertia >= 0) continue;
+            state_.inertia = place;
+        }
+        forces_[f]->furnish(drawerOf(place));
+    }
+    if (whole_) whole_->furnish(state_.kept.back());
+    if (past) state_.last.resize(state_.particles.size(), Padded<Real>{});
+    if (bdf2 || options_.limitAcceleration || whole_)
+        state_.lastVelocity.resize(state_.particles.size(), Padded<Real>{});
 }
 
 template <class Real>
@@ -130,17 +164,18 @@ void Solver<Real>::setUpChebyshev() {
 }
 
 template <class Real>
-void Solver<Real>::setUpState(const World& world) {
+void Solver<Real>::setUpState() {
+    const World& world = *world_;
     const std::size_t n = world.start.size(), all = n + 1;
     if (world.rest.size() != n || world.velocity.size() != n || world.mass.size() != n ||
         world.pinned.size() != n)
         throw std::invalid_argument("a world must have one entry a vertex in each of its arrays");
     state_.particles.resize(all, Particle<Real>{});
-    for (auto* array : {&state_.velocity, &state_.before, &state_.last, &state_.lastVelocity,
-                        &state_.air, &sums_})
-        array->resize(all, Padded<Real>{});
-    touched_.resize(all, 0);
-    struck_.resize(all, 0);
+    state_.velocity.resize(all, Padded<Real>{});
+    state_.before.resize(all, Padded<Real>{});
+    if (options_.smoothing > 0) sums_.resize(all);
+    touched_.resize(all);
+    struck_.resize(all);
     for (std::size_t i = 0; i < n; ++i) {
         const double mass = world.mass[i];
         Particle<Real>& p = state_.particles[i];
@@ -153,32 +188,38 @@ void Solver<Real>::setUpState(const World& world) {
             throw std::invalid_argument("vertex " + std::to_string(i) +
                                         " does not start at a number");
     }
-    for (const World::Pins& pins : world.pins) {
+}
+
+template <class Real>
+void Solver<Real>::setUpPins() {
+    pins_.clear();
+    for (const World::Pins& pins : world_->pins) {
         if (!pins.animation) continue;
         Pins moving{pins.vertices, pins.animation, {}, {}, {}};
         for (const int v : pins.vertices)
-            moving.start.push_back(world.start[static_cast<std::size_t>(v)]);
+            moving.start.push_back(world_->start[static_cast<std::size_t>(v)]);
         moving.from = moving.to = moving.start;
         pins_.push_back(std::move(moving));
     }
 }
 
 template <class Real>
-void Solver<Real>::setUpSets(const World& world) {
-    std::vector<int> counts(world.start.size() + 1, 0);
-    for (const World::Set& set : world.sets) {
-        sets_.push_back(set.recipe.make<Real>(world, options_.kernels));
-        setOptions_.push_back(set.options);
+void Solver<Real>::setUpSets() {
+    sets_.clear();
+    forces_.clear();
+    std::vector<int> counts(world_->start.size() + 1, 0);
+    for (const World::Set& set : world_->sets) {
+        sets_.push_back(set.recipe.make<Real>(*world_, options_.kernels));
         sets_.back()->countAt(counts);
     }
     for (const auto& set : sets_) set->relaxBy(counts);
-    for (const int s : schedule_.order())
-        if (world.sets[static_cast<std::size_t>(s)].contact) contacts_.push_back(s);
+    for (const Recipe<Force>& force : world_->forces)
+        forces_.push_back(force.make<Real>(*world_, options_.kernels));
 }
 
 template <class Real>
 void Solver<Real>::startVelocities(bool second) {
-    if (options_.integrator == Integrator::first && !options_.limitAcceleration && !whole_) return;
+    if (state_.lastVelocity.empty()) return;
     workers_.forBlocks(state_.count(), grain, [&](int begin, int end) {
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
             const Four<Real> v = four(state_.velocity[i].v), past = four(state_.lastVelocity[i].v);
@@ -225,6 +266,7 @@ template <class Real>
 void Solver<Real>::update(bool second) {
     const bool given = whole_ && whole_->setsVelocities();
     const bool bdf2 = options_.integrator == Integrator::bdf2;
+    const bool hasLast = !state_.last.empty(), hasVelocity = !state_.lastVelocity.empty();
     const bool fallsBack = second && std::isfinite(options_.maxAcceleration);
     if (second) {
         std::fill(touched_.begin(), touched_.end(), std::uint8_t{0});
@@ -232,7 +274,7 @@ void Solver<Real>::update(bool second) {
     }
     if (fallsBack)
         for (const auto& set : sets_) set->markTouched(touched_);
-    if (second && whole_) whole_->markStruck(state_, struck_);
+    if (second && whole_) whole_->markStruck(state_, state_.kept.back(), struck_);
     const Real h = static_cast<Real>(h_);
     const Real most = static_cast<Real>(options_.maxAcceleration * h_);
     const Real lost = static_cast<Real>(1 - power(1 - options_.damping, 24 * h_));
@@ -240,7 +282,8 @@ void Solver<Real>::update(bool second) {
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
             Particle<Real>& p = state_.particles[i];
             const Four<Real> before = four(state_.before[i].v), d = four(p.d), step = d - before;
-            Four<Real> old = four(state_.lastVelocity[i].v), past = old;
+            const Four<Real> old = hasVelocity ? four(state_.lastVelocity[i].v) : Four<Real>{};
+            Four<Real> past = old;
             Four<Real> v = given ? four(state_.velocity[i].v) : step / h;
             if (second) {
                 // (3 x - 4 x1 + x2) / 2 h, as differences of neighbours: no digits cancel [IN17].
@@ -261,7 +304,7 @@ void Solver<Real>::update(bool second) {
             const Four<Real> x = twoSum(four(p.x), d, left);  // the fourth is w + 0
             put(p.x, x);
             put(p.d, left);
-            put(state_.last[i].v, before + (left - d));
+            if (hasLast) put(state_.last[i].v, before + (left - d));
         }
     });
     if (blaming_) blame("the update");
@@ -275,12 +318,21 @@ void Solver<Real>::setPast(std::span<const Vec<double>> positions,
         throw std::invalid_argument("the past must have one position and velocity a vertex");
     if (!allFinite(positions) || !allFinite(velocities))
         throw std::invalid_argument("the past must be finite");
-    for (std::size_t i = 0; i < n; ++i) {
-        state_.last[i].v = narrow<Real>(positions[i] - wide(state_.particles[i].x));
-        state_.lastVelocity[i].v = narrow<Real>(velocities[i]);
+    pastPositions_.assign(positions.begin(), positions.end());
+    pastVelocities_.assign(velocities.begin(), velocities.end());
+    takePast();
+}
+
+template <class Real>
+void Solver<Real>::takePast() {
+    if (pastPositions_.empty()) return;
+    for (std::size_t i = 0; i < pastPositions_.size(); ++i) {
+        if (!state_.last.empty())
+            state_.last[i].v = narrow<Real>(pastPositions_[i] - wide(state_.particles[i].x));
+        if (!state_.lastVelocity.empty())
+            state_.lastVelocity[i].v = narrow<Real>(pastVelocities_[i]);
     }
     state_.hasPast = true;
-    start_ = state_;
 }
 
 template <class Real>

@@ -1,6 +1,7 @@
 // The numbers of a run: what moves, and nothing about why.
 #pragma once
 
+#include "numbers/finite.h"
 #include "numbers/math.h"
 
 #include <cstddef>
@@ -29,22 +30,38 @@ struct alignas(4 * sizeof(Real)) Padded {
 };
 
 template <class Real>
+bool isFinite(const Particle<Real>& p) {
+    return isFinite(p.x) && isFinite(p.d);
+}
+template <class Real>
+bool isFinite(const Padded<Real>& p) {
+    return isFinite(p.v);
+}
+
+// What one set, one force or the method keeps past a substep: it alone writes it, and it keeps
+// nothing anywhere else, so that a run can be resumed, put back and repeated.
+template <class Real>
+struct Drawer {
+    std::vector<Real> numbers;
+    std::vector<std::int32_t> integers;
+};
+
+template <class Real>
 struct State {
-    // Every array has one entry more than there are vertices: a vertex without mass on which rows
-    // that only fill up a block hang.
+    // Every array by vertex has one entry more than there are vertices: a vertex without mass on
+    // which rows that only fill up a block hang.
     std::vector<Particle<Real>> particles;
-    std::vector<Padded<Real>> velocity;      // m/s
-    std::vector<Padded<Real>> before;        // d when the substep began
-    std::vector<Padded<Real>> last;          // d one substep earlier, seen from the same x (BDF2)
-    std::vector<Padded<Real>> lastVelocity;  // velocity when the substep began
-    std::vector<Padded<Real>> air;  // q of the inverse inertia w I - q q^T of the last substep,
-                                    // kg^(-1/2): added mass
-    std::vector<Real> tension;      // N, by link, then contact, as the method numbers them (global)
-    std::vector<std::uint8_t> disabled;  // by vertex, what is out of contacts
-                                         // (contacts/failures.h); empty: nothing ever is
-    bool hasAir = false;                 // false: every q is 0
-    bool hasPast = false;                // last and lastVelocity hold the substep before this one
-    long substep = 0;                    // since the start of the run
+    std::vector<Padded<Real>> velocity;  // m/s
+    std::vector<Padded<Real>> before;    // d when the substep began
+    // Empty where nothing in the run asks for it: d one substep earlier, seen from the same x, and
+    // velocity when the substep began.
+    std::vector<Padded<Real>> last, lastVelocity;
+    std::vector<Drawer<Real>> kept;  // by set, then by force, then the method's
+    int inertia = -1;                // whose drawer has q of the inverse inertia w I - q q^T of the
+                                     // last substep, kg^(-1/2), 4 numbers a vertex: added mass of
+                                     // the air; -1: every q is 0
+    bool hasPast = false;            // last and lastVelocity hold the substep before this one
+    long substep = 0;                // since the start of the run
 
     int count() const { return static_cast<int>(particles.size()) - 1; }
 
@@ -53,6 +70,38 @@ struct State {
         return {double(p.x.x) + double(p.d.x), double(p.x.y) + double(p.d.y),
                 double(p.x.z) + double(p.d.z)};
     }
+
+    // q of all vertices; null: every q is 0.
+    const Real* air() const { return inertia < 0 ? nullptr : kept[place()].numbers.data(); }
+    Real* air() { return inertia < 0 ? nullptr : kept[place()].numbers.data(); }
+    Vec<Real> airAt(std::size_t i) const {
+        const Real* const q = air();
+        return q ? Vec<Real>{q[4 * i], q[4 * i + 1], q[4 * i + 2]} : Vec<Real>{0, 0, 0};
+    }
+
+    // Every array by vertex, in the order in which files and hashes have them.
+    template <class Self, class Body>
+    static void forArrays(Self& state, const Body& body) {
+        body(state.particles);
+        body(state.velocity);
+        body(state.before);
+        body(state.last);
+        body(state.lastVelocity);
+    }
+
+    std::size_t bytes() const {
+        std::size_t sum = 0;
+        const auto add = [&](const auto& array) { sum += array.size() * sizeof(array[0]); };
+        forArrays(*this, add);
+        for (const Drawer<Real>& drawer : kept) {
+            add(drawer.numbers);
+            add(drawer.integers);
+        }
+        return sum;
+    }
+
+private:
+    std::size_t place() const { return static_cast<std::size_t>(inertia); }
 };
 
 }  // namespace plait

@@ -21,6 +21,7 @@ template <class Real>
 struct WholeSubstep {
     State<Real>& state;  // x + d: predicted; before: d when the substep began; velocity: after
                          // forces; lastVelocity: before them
+    Drawer<Real>& kept;  // the method's
     std::span<const std::unique_ptr<Constraint<Real>>> sets;
     double h;        // s, the substep
     double implied;  // s, what compliance sees: 2 h / 3 under BDF2 once it has a past
@@ -34,13 +35,16 @@ class WholeStep {
 public:
     virtual ~WholeStep() = default;
 
+    // What it keeps past a substep, as a run begins.
+    virtual void furnish(Drawer<Real>&) const {}
     // A substep begins: state.velocity is before forces.
     virtual void begin(const State<Real>& /*state*/) {}
     // Leaves d where the substep ends. Returns the counted work, in constraints evaluated.
     virtual long take(WholeSubstep<Real>& substep) = 0;
     // Marks the vertices that an impact reached in this substep: they take velocities of first
     // order, and a past that continues them.
-    virtual void markStruck(const State<Real>& /*state*/, std::vector<std::uint8_t>& /*struck*/) {}
+    virtual void markStruck(const State<Real>& /*state*/, const Drawer<Real>& /*kept*/,
+                            std::vector<std::uint8_t>& /*struck*/) {}
     // True: it sets velocities as well, in place of (x - x1) / h.
     virtual bool setsVelocities() const { return false; }
 };
@@ -52,13 +56,5 @@ struct NamedSet {
     bool contact;
     const Constraint<Real>* set;
 };
-
-// Null for methods that sweep. `state` is where the run starts, and is given what the method keeps
-// in it. Throws std::invalid_argument that says what the world has and the method has not:
-// contacts, constraints without compliance, the inertia of air, an integrator.
-template <class Real>
-std::unique_ptr<WholeStep<Real>> makeWholeStep(const SolverOptions& options,
-                                               const std::vector<NamedSet<Real>>& sets,
-                                               State<Real>& state, bool airHasInertia);
 
 }  // namespace plait

@@ -85,68 +85,11 @@ std::vector<int> World::select(Range range,
     return chosen;
 }
 
-void World::strand(const Rows<Stretch>& set, SetOptions options, bool geometricStiffness) {
-    const auto make = [set, geometricStiffness, name = options.name]<class Real>(
-                          const World& world,
-                          KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
-        checkStencils(name, set.ids, 2, set.rows.size(), set.colors, world.start.size());
-        checkNumbers(name, numbersOf(set));
-        return std::make_unique<StrandSet<Real>>(set, world.rest, kernels, geometricStiffness);
-    };
-    constrain(recipeOf<Constraint>(make), std::move(options));
-}
-
-void World::strand(const Rows<Stretch>& set, std::vector<Strand> strands, SetOptions options,
-                   bool geometricStiffness) {
-    const auto make =
-        [set, strings = std::move(strands), geometricStiffness, name = options.name]<class Real>(
-            const World& world, KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
-        checkStencils(name, set.ids, 2, set.rows.size(), set.colors, world.start.size());
-        checkNumbers(name, numbersOf(set));
-        const int padding = static_cast<int>(world.start.size());
-        return std::make_unique<StrandSet<Real>>(set, strings, padding, kernels,
-                                                 geometricStiffness);
-    };
-    constrain(recipeOf<Constraint>(make), std::move(options));
-}
-
-void World::aggregate(const Rows<Stretch>& set, SetOptions options, int fewest) {
-    const auto make = [set, fewest, name = options.name]<class Real>(
-                          const World& world,
-                          KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
-        checkStencils(name, set.ids, 2, set.rows.size(), set.colors, world.start.size());
-        checkNumbers(name, numbersOf(set));
-        return std::make_unique<AggregateSet<Real>>(
-            plait::aggregate(world.effectiveMass(), world.rest, linksOf(set), fewest), kernels);
-    };
-    constrain(recipeOf<Constraint>(make), std::move(options));
-}
-
-void World::aggregate(std::vector<AggregateLevel> levels, SetOptions options) {
-    const auto make = [ready = std::move(levels)]<class Real>(
-                          const World&, KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
-        return std::make_unique<AggregateSet<Real>>(ready, kernels);
-    };
-    constrain(recipeOf<Constraint>(make), std::move(options));
-}
-
 std::vector<double> World::effectiveMass() const {
     std::vector<double> masses = mass;
     for (std::size_t i = 0; i < masses.size(); ++i)
         if (pinned[i]) masses[i] = std::numeric_limits<double>::infinity();
     return masses;
-}
-
-void World::mend(const Rows<Stretch>& set, SetOptions options, const Mending& mending) {
-    const auto make = [set, mending, name = options.name]<class Real>(
-                          const World& world,
-                          KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
-        checkStencils(name, set.ids, 2, set.rows.size(), set.colors, world.start.size());
-        checkNumbers(name, numbersOf(set));
-        const int padding = static_cast<int>(world.start.size());
-        return std::make_unique<MendSet<Real>>(set, padding, kernels, mending);
-    };
-    constrain(recipeOf<Constraint>(make), std::move(options));
 }
 
 void World::constrain(Recipe<Constraint> recipe, SetOptions options, bool contact) {

@@ -1,16 +1,14 @@
-// What is simulated, before anyone decides how: matter, sets of constraints and forces, in double.
-// Solvers of either precision are made from it, any number of them.
+// What is simulated, before anyone decides how: matter, pins, and recipes of sets of constraints
+// and of forces, in double. Solvers of either precision are made from it, any number of them. It
+// knows no set by name: what adds one is a function in the header of that set, as meet, holdSheet
+// and actAir.
 #pragma once
 
 #include "complex/shapes.h"
+#include "constraint.h"
 #include "constraints/rows.h"
 #include "force.h"
 #include "schedule.h"
-#include "sets/constraint_set.h"
-#include "sets/direct_set.h"
-#include "sheets/aggregates/aggregate_set.h"
-#include "sheets/mend_set.h"
-#include "sheets/strands/strand_set.h"
 
 #include <functional>
 #include <memory>
@@ -105,23 +103,14 @@ struct World {
     std::vector<int> select(Range range,
                             const std::function<bool(const Vec<double>&)>& where) const;
 
+    // Of a kind that is not the core's own, a program includes sets/constrain.h as well.
     template <class Kind>
     void constrain(Rows<Kind> rows, SetOptions options);
     // A set of the user's own; `make` is called once for each solver.
     void constrain(Recipe<Constraint> recipe, SetOptions options, bool contact = false);
 
-    // These links strung to strands, each solved at once, in lanes (strand_set.h).
-    void strand(const Rows<Stretch>& set, SetOptions options, bool geometricStiffness = false);
-    void strand(const Rows<Stretch>& set, std::vector<Strand> strands, SetOptions options,
-                bool geometricStiffness = false);
-    // Coarse levels of these links (aggregate_set.h), down to `fewest` aggregates that move. Links
-    // count as rigid, whatever their compliance.
-    void aggregate(const Rows<Stretch>& set, SetOptions options, int fewest = 16);
-    void aggregate(std::vector<AggregateLevel> levels, SetOptions options);
     // By vertex, kg; infinite where pinned.
     std::vector<double> effectiveMass() const;
-    // Those of these links that a column leaves too long, mended (mend_set.h).
-    void mend(const Rows<Stretch>& set, SetOptions options, const Mending& mending = {});
 
     // F<Real> is a Force<Real> made from (World, options), or, where it has kernels of its own,
     // from (World, options, KernelChoice).
@@ -139,36 +128,12 @@ void checkStencils(const std::string& set, std::span<const int> ids, int arity, 
 // Throws std::invalid_argument, naming the set, if one of its rows' numbers is NaN, which guarded
 // divisions would pass over.
 void checkNumbers(const std::string& set, std::span<const double> numbers);
-
+// Both, of rows for a world of as many vertices.
 template <class Kind>
-void World::constrain(Rows<Kind> rows, SetOptions options) {
-    if (options.direct && Kind::arity != 2)
-        throw std::invalid_argument(options.name +
-                                    ": a direct solve is for constraints of two vertices");
-    const auto make = [rows, options]<class Real>(
-                          const World& world,
-                          KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
-        checkStencils(options.name, rows.ids, Kind::arity, rows.rows.size(), rows.colors,
-                      world.start.size());
-        checkNumbers(options.name, numbersOf(rows));
-        if constexpr (Kind::arity == 2)
-            if (options.direct) return std::make_unique<DirectSet<Kind, Real>>(rows, world.pinned);
-        const int padding = static_cast<int>(world.start.size());
-        return std::make_unique<ConstraintSet<Kind, Real>>(rows, padding, kernels);
-    };
-    constrain(recipeOf<Constraint>(make), std::move(options), requires { Kind::contact; });
+void checkRows(const std::string& set, const Rows<Kind>& rows, std::size_t vertices) {
+    checkStencils(set, rows.ids, Kind::arity, rows.rows.size(), rows.colors, vertices);
+    checkNumbers(set, numbersOf(rows));
 }
-
-// Those of the core's own kinds are compiled once (world_kinds.cpp).
-extern template void World::constrain(Rows<Stretch>, SetOptions);
-extern template void World::constrain(Rows<Angle>, SetOptions);
-extern template void World::constrain(Rows<Shear>, SetOptions);
-extern template void World::constrain(Rows<Bend>, SetOptions);
-extern template void World::constrain(Rows<Attach>, SetOptions);
-extern template void World::constrain(Rows<Tether>, SetOptions);
-extern template void World::constrain(Rows<PlaneContact>, SetOptions);
-extern template void World::constrain(Rows<SphereContact>, SetOptions);
-extern template void World::constrain(Rows<CapsuleContact>, SetOptions);
 
 template <template <class> class F, class Options>
 void World::act(Options options) {

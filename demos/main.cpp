@@ -19,14 +19,24 @@ int runCommandLine(const std::vector<std::string>& words) {
                                         renderCommand(), checkCommand(),     compareCommand(),
                                         benchCommand(),  stabilityCommand(), studyCommand()};
     const auto isHelp = [](const std::string& word) { return word == "--help" || word == "-h"; };
-    if (words.empty() || isHelp(words[0]) || words[0] == "help") {
+    if (words.empty() || isHelp(words[0]) || (words[0] == "help" && words.size() == 1)) {
         std::printf("%s", helpOf(commands).c_str());
         return words.empty() ? exitUsage : exitOk;
     }
+    if (words[0] == "--version") {
+        std::printf("%s", versionText().c_str());
+        return exitOk;
+    }
     std::vector<std::string> names;
     for (const Command& command : commands) names.push_back(command.name);
-    const Command& command =
-        commands[static_cast<std::size_t>(parseChoice("command", words[0], names))];
+    const auto find = [&](const std::string& word) -> const Command& {
+        return commands[static_cast<std::size_t>(parseChoice("command", word, names))];
+    };
+    if (words[0] == "help") {
+        std::printf("%s", helpOf(find(words[1])).c_str());
+        return exitOk;
+    }
+    const Command& command = find(words[0]);
     const std::vector<std::string> rest(words.begin() + 1, words.end());
     for (const std::string& word : rest)
         if (isHelp(word)) {

@@ -200,7 +200,8 @@ Scene flag(const Knobs& knobs) {
     const bool meets = knobs.text("self-collision") == "on";
     if (meets) meet(world, {{.vertices = cloth, .thickness = 0.001}}, {.order = 9});
 
-    // Half the strain of first order, and its energy falls as steadily (tests/test_flag.cpp).
+    // Half the strain of first order, and its energy falls as steadily
+    // (tests/scenes/test_flag.cpp).
     scene.options.integrator = Integrator::bdf2;
     scene.options.schedule = {.substeps = knobs.byQuality(60, 80, 110), .iterations = 1};
     scene.seconds = seconds;

@@ -23,13 +23,25 @@ State<Real> stateOf(const World& world) {
     const std::size_t n = world.start.size();
     state.particles.resize(n + 1, Particle<Real>{});
     state.velocity.resize(n + 1, Padded<Real>{});
-    state.air.resize(n + 1, Padded<Real>{});
     for (std::size_t i = 0; i < n; ++i) {
         state.particles[i].x = narrowed<Real>(world.start[i]);
         state.particles[i].w = world.pinned[i] ? Real(0) : static_cast<Real>(1 / world.mass[i]);
         state.velocity[i].v = narrowed<Real>(world.velocity[i]);
     }
     return state;
+}
+
+// The drawer of a force with inertia, every q being 0; and the q of vertex i.
+template <class Real>
+void giveAir(State<Real>& state) {
+    state.kept.resize(1);
+    state.inertia = 0;
+    state.kept[0].numbers.assign(4 * state.particles.size(), Real(0));
+}
+template <class Real>
+void setAir(State<Real>& state, std::size_t i, const Vec<Real>& q) {
+    Real* const at = state.air() + 4 * i;
+    at[0] = q.x, at[1] = q.y, at[2] = q.z;
 }
 
 // One substep of forces alone; positions stay.

@@ -1,5 +1,5 @@
 // Every kind the core knows: one line here, and a kind has kernels for each instruction set, each
-// lane width and both precisions, and all of the tests of tests/test_kinds.cpp.
+// lane width and both precisions, and all of the tests of test_kinds.cpp.
 #pragma once
 
 #include "angle.h"

@@ -5,6 +5,7 @@
 #include "../numbers/math.h"
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -24,6 +25,10 @@ struct Rows {
 
     int size() const { return static_cast<int>(rows.size()); }
 };
+
+// What recipes and sets have in common: nobody changes it.
+template <class Kind>
+using SharedRows = std::shared_ptr<const Rows<Kind>>;
 
 // Everything that the rows hold, one number after another.
 template <class Kind>

@@ -1,10 +1,4 @@
-// Matter that meets matter, and on which terms.
-//
-// In core/contacts is what keeps simplices apart: who may meet (Surface), who is near (PairSearch),
-// how all have moved together since pairs were looked for (rigid.h), where two are nearest
-// (nearest.h), the set of constraints that parts them (ContactSet), and what is done where they
-// cannot (failures.h, push_out.h). When paths cross is in
-// core/collision; whether anything did cross is counted by core/measure, which uses none of this.
+// Matter that meets matter, and on which terms. README.md tells how it is done.
 #pragma once
 
 #include "../complex/shapes.h"

@@ -104,7 +104,7 @@ Shape meshBeside(const fs::path& cache) {
 }
 
 // "POINTCACHE2" and a zero; int32 version and points; float first frame and frames between samples;
-// int32 samples; then three floats a point (demos/export.h writes the same).
+// int32 samples; then three floats a point (demos/output/export.h writes the same).
 struct Pc2Header {
     char magic[12];
     std::int32_t version, points;

@@ -61,6 +61,7 @@ template <class Real>
 Air<Real>::Air(const World& world, const AirOptions& options, KernelChoice kernels)
     : options_(options),
       kernels_(airKernels<Real>(kernels)),
+      vertices_(world.rest.size()),
       skins_(skinsOf<Real>(facetsOf(world, options), static_cast<int>(world.rest.size()),
                            options.addedMass)) {
     if (options.wind.noise > 0)
@@ -72,6 +73,11 @@ Vec<double> Air<Real>::gust(const Vec<double>& x, double t) const {
     const Wind& wind = options_.wind;
     const Vec<double> cells = (1 / wind.noiseLength) * (x - t * wind.noiseDrift);
     return wind.noise * coherentNoise(cells, t / wind.noiseTime, wind.seed);
+}
+
+template <class Real>
+void Air<Real>::furnish(Drawer<Real>& kept) const {
+    if (hasInertia()) kept.numbers.assign(4 * (vertices_ + 1), Real(0));
 }
 
 template <class Real>
@@ -95,14 +101,13 @@ AirStep<Real> Air<Real>::stepOf(State<Real>& state) const {
     AirStep<Real> step{};
     step.particles = &state.particles[0].x.x;
     step.velocity = &state.velocity[0].v.x;
-    step.inertia = state.hasAir ? &state.air[0].v.x : nullptr;
+    step.inertia = state.air();
     return step;
 }
 
 template <class Real>
 void Air<Real>::prepare(State<Real>& state, Workers& workers) {
     if (rests(state)) return;
-    if (hasInertia()) state.hasAir = true;
     const AirStep<Real> step = stepOf(state);
     for (std::size_t kind = 0; kind < 2; ++kind) {
         const FacetBlocks<Real> facets = skins_[kind].blocks();
@@ -110,7 +115,7 @@ void Air<Real>::prepare(State<Real>& state, Workers& workers) {
             kernels_.sides[kind](step, facets, begin, end);
         });
     }
-    if (options_.addedMass == 0) return;
+    if (!hasInertia()) return;
     const AroundBlocks<Real> around = skins_[1].around();
     workers.forBlocks(skins_[1].vertices(), grain, [&](int begin, int end) {
         kernels_.inertia(step, around, &skins_[1].sides[0].v.x, begin, end);

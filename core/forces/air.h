@@ -78,6 +78,7 @@ public:
     Air(const World& world, const AirOptions& options, KernelChoice kernels = bestKernels());
 
     std::string name() const override { return "air"; }
+    void furnish(Drawer<Real>& kept) const override;
     bool hasInertia() const override { return options_.addedMass > 0; }
     void beginFrame(const State<Real>& state, double t0, double t1, Workers& workers) override;
     void prepare(State<Real>& state, Workers& workers) override;
@@ -93,6 +94,7 @@ private:
 
     AirOptions options_;
     const AirTable<Real>& kernels_;
+    std::size_t vertices_;
     std::array<AirSkin<Real>, 2> skins_;  // edges, triangles
     double from_ = 0, to_ = 0;            // s, the frame that gusts are known for
 };

@@ -1,4 +1,4 @@
-// Compiled once for each of x86-64-v2, -v3 and -v4, as core/kernels.cpp is.
+// Compiled once for each of x86-64-v2, -v3 and -v4, as kernels/kernels.cpp is.
 #include "air_loop.h"
 
 #define PLAIT_JOIN2(a, b) a##_##b

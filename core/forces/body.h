@@ -33,7 +33,7 @@ template <class Real>
 void accelerate(State<Real>& state, std::size_t i, const Vec<Real>& dv) {
     const Real w = state.particles[i].w;
     if (w == Real(0)) return;
-    const Vec<Real>& q = state.air[i].v;
+    const Vec<Real> q = state.airAt(i);
     state.velocity[i].v += dv - divide(dot(q, dv), w) * q;
 }
 

@@ -1,5 +1,5 @@
 // The border between the solver and its inner loops, which are compiled once per instruction set
-// (core/kernels.cpp) and chosen at run time. Only plain pointers cross it.
+// (kernels.cpp) and chosen at run time. Only plain pointers cross it.
 #pragma once
 
 namespace plait {

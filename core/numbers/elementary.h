@@ -3,7 +3,7 @@
 //
 // Only +, -, *, / in a fixed order. Constants are minimax fits of this project's own; the
 // splittings are Cody & Waite, Software Manual for the Elementary Functions (1980), and Dekker
-// (1971). The measured errors are printed by tests/test_elementary.cpp. See arctangent.h for
+// (1971). The measured errors are printed by test_elementary.cpp. See arctangent.h for
 // arctangent2.
 #pragma once
 

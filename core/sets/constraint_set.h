@@ -45,8 +45,11 @@ public:
 
     // `padding` is a vertex without mass that nothing else uses; all others are below it.
     ConstraintSet(Rows<Kind> set, int padding, KernelChoice choice)
-        : set_(std::move(set)), moving_(set_), kernels_(kernelTable<Kind, Real>(choice)) {
-        layOut(set_.colors.empty() ? greedyColors(set_.ids, arity, padding) : set_.colors, padding);
+        : ConstraintSet(std::make_shared<const Rows<Kind>>(std::move(set)), padding, choice) {}
+    ConstraintSet(SharedRows<Kind> set, int padding, KernelChoice choice)
+        : set_(std::move(set)), moving_(*set_), kernels_(kernelTable<Kind, Real>(choice)) {
+        layOut(set_->colors.empty() ? greedyColors(set_->ids, arity, padding) : set_->colors,
+               padding);
     }
 
     void beginFrame(double t0, double t1) override { moving_.beginFrame(t0, t1); }
@@ -72,13 +75,13 @@ public:
     }
 
     void countAt(std::vector<int>& counts) const override {
-        for (const int v : set_.ids) ++counts[static_cast<std::size_t>(v)];
+        for (const int v : set_->ids) ++counts[static_cast<std::size_t>(v)];
     }
     void relaxBy(const std::vector<int>& counts) override {
         for (std::size_t i = 0; i < slot_.size(); ++i) {
             int most = 1;
             for (std::size_t a = 0; a < arity; ++a)
-                most = std::max(most, counts[static_cast<std::size_t>(set_.ids[i * arity + a])]);
+                most = std::max(most, counts[static_cast<std::size_t>(set_->ids[i * arity + a])]);
             at(relax_, slot_[i]) = Real(1) / static_cast<Real>(most);
         }
     }
@@ -87,13 +90,13 @@ public:
         if constexpr (requires { Kind::contact; })
             for (std::size_t i = 0; i < slot_.size(); ++i)
                 for (std::size_t a = 0; a < arity; ++a)
-                    touched[static_cast<std::size_t>(set_.ids[i * arity + a])] |=
+                    touched[static_cast<std::size_t>(set_->ids[i * arity + a])] |=
                         at(lambda_, slot_[i]) != Real(0);
     }
 
     bool termsOf(std::span<const int> which, const State<Real>& state, bool curved,
                  Terms<Real>& out) const override {
-        setTerms<Kind>(out, set_.ids, which, curved, state, [&](int i) { return read(slot_[i]); });
+        setTerms<Kind>(out, set_->ids, which, curved, state, [&](int i) { return read(slot_[i]); });
         return true;
     }
 
@@ -137,8 +140,8 @@ private:
         for (std::vector<int>& color : membersOf) {
             const int begin = slot;
             std::sort(color.begin(), color.end(), [&](int a, int b) {
-                const int first = set_.ids[static_cast<std::size_t>(a) * arity],
-                          second = set_.ids[static_cast<std::size_t>(b) * arity];
+                const int first = set_->ids[static_cast<std::size_t>(a) * arity],
+                          second = set_->ids[static_cast<std::size_t>(b) * arity];
                 return first < second || (first == second && a < b);
             });
             for (const int i : color) {
@@ -161,8 +164,8 @@ private:
         }
         for (std::size_t a = 0; a < arity; ++a)
             ids_[block].member[a][slot % blockSize] =
-                pad ? padding : set_.ids[static_cast<std::size_t>(i) * arity + a];
-        write(slot, narrow<Kind, Real>(set_.rows[static_cast<std::size_t>(i)]));
+                pad ? padding : set_->ids[static_cast<std::size_t>(i) * arity + a];
+        write(slot, narrow<Kind, Real>(set_->rows[static_cast<std::size_t>(i)]));
     }
 
     void setRow(int i, const WideRow& row) {
@@ -198,7 +201,7 @@ private:
         });
     }
 
-    Rows<Kind> set_;
+    SharedRows<Kind> set_;
     MovingRows<Kind> moving_;
     const KernelTable<Real>& kernels_;
     std::vector<Block<int, arity>> ids_;

@@ -22,13 +22,15 @@ class DirectSet : public Constraint<Real> {
 public:
     // `pinned`, by vertex: 1 where the inverse mass is zero. Throws std::invalid_argument for the
     // first constraint that closes a cycle of vertices that move.
-    DirectSet(const Rows<Kind>& set, std::span<const unsigned char> pinned)
-        : ids_(set.ids),
-          rows_(set.rows),
-          moving_(set),
-          forest_(forestOf(set.ids, pinned)),
+    DirectSet(Rows<Kind> set, std::span<const unsigned char> pinned)
+        : DirectSet(std::make_shared<const Rows<Kind>>(std::move(set)), pinned) {}
+    DirectSet(SharedRows<Kind> set, std::span<const unsigned char> pinned)
+        : set_(std::move(set)),
+          rows_(set_->rows),
+          moving_(*set_),
+          forest_(forestOf(set_->ids, pinned)),
           nodes_(forest_.nodes.size()),
-          lambda_(set.rows.size(), 0) {
+          lambda_(rows_.size(), 0) {
         for (std::size_t k = 0; k < nodes_.size(); ++k) nodes_[k].parent = forest_.nodes[k].parent;
     }
 
@@ -83,7 +85,7 @@ public:
 
     bool termsOf(std::span<const int> which, const State<Real>& state, bool curved,
                  Terms<Real>& out) const override {
-        setTerms<Kind>(out, ids_, which, curved, state,
+        setTerms<Kind>(out, set_->ids, which, curved, state,
                        [&](int i) { return narrow<Kind, Real>(rows_[i]); });
         return true;
     }
@@ -185,7 +187,7 @@ private:
         }
     }
 
-    std::vector<int> ids_;
+    SharedRows<Kind> set_;
     std::vector<typename Kind::template Row<double>> rows_;
     MovingRows<Kind> moving_;
     Forest forest_;

@@ -1,7 +1,9 @@
 #include "inextensible.h"
 
 #include "../stencils.h"
-#include "strands/strands.h"
+#include "aggregates/aggregate_set.h"
+#include "mend_set.h"
+#include "strands/strand_set.h"
 
 #include <algorithm>
 #include <numeric>
@@ -135,20 +137,20 @@ void SheetPlan::hold(World& world) const {
     const bool rigid = options_.compliance == 0;
     const int order = options_.order;
     if (options_.mending > 0 && rigid)
-        world.mend(chosen(edges_, all, isCut_), {.name = "mending", .order = order},
-                   {.tolerance = options_.mending, .rounds = rounds});
+        mend(world, chosen(edges_, all, isCut_), {.name = "mending", .order = order},
+             {.tolerance = options_.mending, .rounds = rounds});
     world.constrain(chosen(edges_, swept_, isCut_), {.name = "stretch", .order = order + 1});
     if (options_.strands) {
         std::vector<bool> gone;
         for (const int place : threads_) gone.push_back(isCut_[place]);
-        world.strand(chosen(edges_, threads_, isCut_), partsOf(strands_, gone),
-                     {.name = "strands", .order = order + 2}, options_.geometricStiffness);
+        strand(world, chosen(edges_, threads_, isCut_), partsOf(strands_, gone),
+               {.name = "strands", .order = order + 2}, options_.geometricStiffness);
     }
     if (tethers_)
         world.constrain(tethersIn(world, tethers_->tethers()),
                         {.name = "tethers", .order = order + 3});
     if (aggregates_)
-        world.aggregate(aggregates_->levels(), {.name = "aggregates", .order = order + 4});
+        aggregate(world, aggregates_->levels(), {.name = "aggregates", .order = order + 4});
 }
 
 long SheetPlan::visited() const {

@@ -6,6 +6,8 @@
 #pragma once
 
 #include "../world.h"
+#include "aggregates/aggregates.h"
+#include "strands/strands.h"
 #include "tethers/tethers.h"
 
 #include <optional>

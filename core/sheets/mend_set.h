@@ -7,12 +7,13 @@
 // and where there are any, once more after all columns, so that of lengths and thicknesses, where a
 // fold leaves no room for both, lengths are kept.
 // A sweep of its own is a palindrome as well, and a product of two self-adjoint contractions has
-// real eigenvalues from 0 to 1: it adds no energy either (methods/README.md).
+// real eigenvalues from 0 to 1: it adds no energy either (README.md).
 #pragma once
 
 #include "../constraint.h"
 #include "../constraints/rows.h"
 #include "../sets/link_sweeps.h"
+#include "../world.h"
 
 #include <stdexcept>
 
@@ -58,5 +59,8 @@ private:
     Mending mending_;
     long work_ = 0;
 };
+
+// Those of these links that a column leaves too long, mended.
+void mend(World& world, const Rows<Stretch>& set, SetOptions options, const Mending& mending = {});
 
 }  // namespace plait

@@ -3,6 +3,7 @@
 #include "floor.h"
 
 #include <plait/forces/gravity.h>
+#include <plait/sets/constraint_set.h>
 #include <plait/solver.h>
 #include <plait/stencils.h>
 

@@ -15,4 +15,7 @@ Command benchCommand();
 Command stabilityCommand();
 Command studyCommand();
 
+// Version, compiler, kernels and Mesa of this program here, a line each.
+std::string versionText();
+
 }  // namespace plait

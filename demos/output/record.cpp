@@ -107,6 +107,7 @@ std::string jsonOf(const Record& record) {
         .field("edges", complex.count(1))
         .field("triangles", complex.count(2))
         .field("tetrahedra", complex.count(3))
+        .field("stateAVertex[B]", static_cast<double>(record.stateBytes) / complex.count(0))
         .end();
     const int last = record.rows.empty() ? 0 : record.rows.back().frame;
     json.beginObject("frames")

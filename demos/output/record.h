@@ -17,9 +17,10 @@ struct Record {
     int threads = 1;
     int resumedAt = 0;  // the frame from which this call went on, 0 for the start
     std::vector<MetricRow> rows;
-    std::uint64_t hash = 0;  // of the last state
-    Stages stages;           // seconds of this call
-    double seconds = 0;      // of this call, all in all
+    std::uint64_t hash = 0;      // of the last state
+    std::size_t stateBytes = 0;  // of all states that the solver holds
+    Stages stages;               // seconds of this call
+    double seconds = 0;          // of this call, all in all
     std::optional<PictureOptions> pictures;
     std::string glLibrary, glRenderer;
 };

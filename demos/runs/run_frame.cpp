@@ -14,7 +14,7 @@ struct Format {
     const char* magic;  // 8 characters
     std::uint32_t version;
 };
-constexpr Format frames{"plaitfrm", 1}, checkpoints{"plaitchk", 3};
+constexpr Format frames{"plaitfrm", 1}, checkpoints{"plaitchk", 4};
 
 class Writer {
 public:
@@ -102,15 +102,6 @@ std::vector<Vec<double>> getVectors(Reader& reader, int count) {
     return vectors;
 }
 
-// Every array of a state, in one order for writing and reading.
-template <class S, class Body>
-void forArrays(S& state, const Body& body) {
-    body(state.particles);
-    for (auto* array :
-         {&state.velocity, &state.before, &state.last, &state.lastVelocity, &state.air})
-        body(*array);
-}
-
 }  // namespace
 
 std::string encodeFrame(const RunFrame& frame, int size) {
@@ -151,16 +142,20 @@ std::string encodeCheckpoint(const Checkpoint<Real>& checkpoint) {
     const State<Real>& state = checkpoint.state;
     Writer writer(checkpoints, sizeof(Real));
     writer.put(static_cast<std::int32_t>(checkpoint.frame));
-    writer.put(static_cast<std::int32_t>(state.particles.size()));
     writer.put(static_cast<std::int64_t>(state.substep));
     writer.put(static_cast<std::int64_t>(checkpoint.evaluations));
-    writer.put(static_cast<std::int32_t>(state.hasAir));
+    writer.put(static_cast<std::int32_t>(state.inertia));
     writer.put(static_cast<std::int32_t>(state.hasPast));
-    forArrays(state, [&](const auto& array) { writer.put(array); });
-    writer.put(static_cast<std::int64_t>(state.tension.size()));
-    writer.put(state.tension);
-    writer.put(static_cast<std::int64_t>(state.disabled.size()));
-    writer.put(state.disabled);
+    const auto put = [&](const auto& array) {
+        writer.put(static_cast<std::int64_t>(array.size()));
+        writer.put(array);
+    };
+    State<Real>::forArrays(state, put);
+    writer.put(static_cast<std::int64_t>(state.kept.size()));
+    for (const Drawer<Real>& drawer : state.kept) {
+        put(drawer.numbers);
+        put(drawer.integers);
+    }
     return writer.finish();
 }
 
@@ -171,14 +166,20 @@ Checkpoint<Real> decodeCheckpoint(const std::string& bytes, const std::string& n
     Checkpoint<Real> checkpoint;
     State<Real>& state = checkpoint.state;
     checkpoint.frame = reader.get<std::int32_t>();
-    const int count = reader.get<std::int32_t>();
     state.substep = reader.get<std::int64_t>();
     checkpoint.evaluations = reader.get<std::int64_t>();
-    state.hasAir = reader.get<std::int32_t>() != 0;
+    state.inertia = reader.get<std::int32_t>();
     state.hasPast = reader.get<std::int32_t>() != 0;
-    forArrays(state, [&]<class T>(std::vector<T>& array) { array = reader.get<T>(count); });
-    state.tension = reader.get<Real>(reader.get<std::int64_t>());
-    state.disabled = reader.get<std::uint8_t>(reader.get<std::int64_t>());
+    const auto take = [&]<class T>(std::vector<T>& array) {
+        array = reader.get<T>(reader.get<std::int64_t>());
+    };
+    State<Real>::forArrays(state, take);
+    const auto drawers = reader.get<std::int64_t>();
+    for (std::int64_t i = 0; i < drawers; ++i) {
+        Drawer<Real>& drawer = state.kept.emplace_back();
+        take(drawer.numbers);
+        take(drawer.integers);
+    }
     return checkpoint;
 }
 

@@ -107,6 +107,7 @@ void RunJob::leave(const std::string& ending) {
                   .resumedAt = resumedAt_,
                   .rows = rows_,
                   .hash = simulation_->hash(),
+                  .stateBytes = simulation_->stateBytes(),
                   .stages = stages(),
                   .pictures = options_.pictures,
                   .glLibrary = "",

@@ -50,6 +50,7 @@ public:
     }
 
     std::uint64_t hash() const override { return solver_.hash(); }
+    std::size_t stateBytes() const override { return solver_.bytes(); }
 
     std::string checkpoint() const override {
         return encodeCheckpoint<Real>({number_, solver_.evaluations(), solver_.state()});

@@ -23,6 +23,8 @@ public:
     // Where the run is: positions and velocities as the cache keeps them, metrics of exact ones.
     virtual RunFrame frame() const = 0;
     virtual std::uint64_t hash() const = 0;
+    // Of all states that the solver holds.
+    virtual std::size_t stateBytes() const = 0;
 
     // Everything that decides the future, as bytes of cache/checkpoint.
     virtual std::string checkpoint() const = 0;

@@ -6,6 +6,7 @@
 #include "demos/tools/progress.h"
 #include "median.h"
 
+#include <plait/constraints/constants.h>
 #include <plait/measure/energy.h>
 #include <plait/solver.h>
 

@@ -110,7 +110,10 @@ std::string helpOf(const std::vector<Command>& commands) {
         left.resize(std::max<std::size_t>(left.size() + 2, 28), ' ');
         help += left + command.meaning + "\n";
     }
-    return help + "\nplait COMMAND --help shows its options. Options come in any order.\n";
+    return help +
+           "\nplait help COMMAND shows its options, which come in any order; plait --version, "
+           "what\n"
+           "this program is made of.\n";
 }
 
 }  // namespace plait

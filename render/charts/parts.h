@@ -1,4 +1,4 @@
-// What a chart is made of; nothing outside of render/chart*.cpp needs it.
+// What a chart is made of; nothing outside of render/charts needs it.
 #pragma once
 
 #include "axis.h"

@@ -1,5 +1,7 @@
 #include "woven.h"
 
+#include <plait/sheets/mend_set.h>
+#include <plait/sheets/strands/strand_set.h>
 #include <plait/stencils.h>
 
 #include <array>
@@ -36,9 +38,9 @@ std::vector<int> weave(World& world, Range cloth, const ThreadOf& threadOf, doub
         threads.rows.insert(threads.rows.end(), set->rows.begin(), set->rows.end());
     }
     if (mending > 0)
-        world.mend(threads, {.name = name + "mending", .order = -1}, {.tolerance = mending});
-    world.strand(warp, {.name = name + "warp"});
-    world.strand(weft, {.name = name + "weft", .order = 1});
+        mend(world, threads, {.name = name + "mending", .order = -1}, {.tolerance = mending});
+    strand(world, warp, {.name = name + "warp"});
+    strand(world, weft, {.name = name + "weft", .order = 1});
     if (!gathers.rows.empty()) world.constrain(gathers, {.name = name + "gathers", .order = 1});
     world.constrain(bias, {.name = name + "bias", .order = 2});
     return threads.ids;

@@ -84,6 +84,18 @@ TEST_CASE("every command has its help", "[program]") {
         CHECK(contains(run.out, option));
 }
 
+TEST_CASE("help of a command, and what the program is made of", "[program]") {
+    const TemporaryFolder folder;
+    CHECK(plait::test::plait(folder, {"help", "run"}).out ==
+          plait::test::plait(folder, {"run", "--help"}).out);
+    const Outcome version = plait::test::plait(folder, {"--version"});
+    CHECK(version.status == 0);
+    for (const char* part :
+         {"plait 0.", "compiler ", "kernels x86-64-v", " lanes", "OpenGL ", "Mesa"})
+        CHECK(contains(version.out, part));
+    refuses({"help", "rnu"}, 2, {"command", "'rnu'", "nearest: run"});
+}
+
 TEST_CASE("wrong words are refused in one line: what, allowed, nearest", "[program]") {
     refuses({"rnu", "pendulum"}, 2, {"command", "'rnu'", "nearest: run"});
     refuses({"run", "pendulm"}, 2, {"scene", "'pendulm'", "nearest: pendulum"});

@@ -3,6 +3,9 @@
 #include "tests/catch.h"
 #include "tests/report.h"
 
+#include <algorithm>
+#include <cmath>
+
 using namespace plait::test;
 
 namespace {
@@ -17,14 +20,13 @@ void shell(const TemporaryFolder& folder, const std::string& line) {
 
 }  // namespace
 
-TEST_CASE("a program of its own simulates a cloth with the installed package",
-          "[program][install]") {
+TEST_CASE("programs of their own simulate with the installed package", "[program][install]") {
     const TemporaryFolder folder;
     const std::string package = (folder / "moved here").string();
     const std::string built = (folder / "built").string();
     shell(folder, "cmake --install " PLAIT_BUILD " --prefix " + (folder / "there").string());
     std::filesystem::rename(folder / "there", package);
-    shell(folder, "cmake -G Ninja -S " PLAIT_ROOT "/tests/consumer -B " + built +
+    shell(folder, "cmake -G Ninja -S " PLAIT_ROOT "/demos/examples -B " + built +
                       " -DCMAKE_CXX_COMPILER=" PLAIT_CXX
                       " -DCMAKE_EXPORT_COMPILE_COMMANDS=ON '-DCMAKE_PREFIX_PATH=" +
                       package + "'");
@@ -33,10 +35,29 @@ TEST_CASE("a program of its own simulates a cloth with the installed package",
     CHECK(contains(commands, "-ffp-contract=off"));
     CHECK_FALSE(contains(commands, PLAIT_ROOT "/core"));
 
-    shell(folder, built + "/cloth");
-    const double lowest = std::stod(contents(folder / "log"));
-    note("lowest point of a cloth of 1 m, m", lowest);
+    // No include folder of ours comes between a program and a header of its own.
+    CHECK_FALSE(contains(commands, "-iquote"));
+
+    const auto lowestOf = [&](const std::string& example) {
+        shell(folder, built + "/" + example);
+        return std::stod(contents(folder / "log"));
+    };
     // It hangs straight below its pins, whose links hardly stretch.
-    CHECK(lowest < -0.99);
-    CHECK(lowest > -1.01);
+    const double cloth = lowestOf("cloth");
+    note("lowest point of a cloth of 1 m, m", cloth);
+    CHECK(cloth < -0.99);
+    CHECK(cloth > -1.01);
+    // A catenary of length 1 over 0.6: a sinh(0.3 / a) = 0.5 for a = 0.1632.
+    CHECK(report("sag of a rope between two hands, m", std::fabs(lowestOf("rope") + 0.3627), 2e-3));
+}
+
+TEST_CASE("the README prints every example as it is", "[program][install]") {
+    const std::string readme = contents(PLAIT_ROOT "/README.md");
+    for (const char* example : {"cloth", "rope"}) {
+        const std::string text =
+            contents(PLAIT_ROOT "/demos/examples/" + std::string(example) + ".cpp");
+        INFO(example);
+        CHECK(contains(readme, "```cpp\n" + text + "```\n"));
+        CHECK(std::ranges::count(text, '\n') <= 50);
+    }
 }

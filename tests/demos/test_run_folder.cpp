@@ -78,16 +78,22 @@ TEST_CASE("a checkpoint goes on with the same bits, in every scene", "[program]"
         }
 }
 
-TEST_CASE("a checkpoint keeps which vertices are out of contacts", "[program]") {
+TEST_CASE("a checkpoint keeps every drawer", "[program]") {
     Checkpoint<float> checkpoint;
     checkpoint.state.particles.resize(4);
-    for (auto* array :
-         {&checkpoint.state.velocity, &checkpoint.state.before, &checkpoint.state.last,
-          &checkpoint.state.lastVelocity, &checkpoint.state.air})
-        array->resize(4);
-    checkpoint.state.disabled = {1, 0, 10};
+    checkpoint.state.velocity.resize(4);
+    checkpoint.state.inertia = 1;
+    checkpoint.state.kept = {{.numbers = {}, .integers = {1, 0, 10}},
+                             {.numbers = {2}, .integers = {}}};
     const std::string bytes = encodeCheckpoint(checkpoint);
-    CHECK(decodeCheckpoint<float>(bytes, "it").state.disabled == checkpoint.state.disabled);
+    const State<float> state = decodeCheckpoint<float>(bytes, "it").state;
+    CHECK(state.particles.size() == 4);
+    CHECK(state.velocity.size() == 4);
+    CHECK(state.last.empty());
+    CHECK(state.inertia == 1);
+    REQUIRE(state.kept.size() == 2);
+    CHECK(state.kept[0].integers == std::vector<std::int32_t>{1, 0, 10});
+    CHECK(state.kept[1].numbers == std::vector<float>{2});
 }
 
 TEST_CASE("a state of another world is not restored", "[program]") {

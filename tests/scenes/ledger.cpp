@@ -1,5 +1,6 @@
 #include "ledger.h"
 
+#include <plait/contact_constraint.h>
 #include <plait/measure/energy.h>
 
 #include <algorithm>
@@ -19,6 +20,7 @@ public:
 
     std::string name() const override { return force_->name(); }
     bool hasInertia() const override { return force_->hasInertia(); }
+    void furnish(Drawer<double>& kept) const override { force_->furnish(kept); }
     void beginFrame(const State<double>& state, double t0, double t1, Workers& workers) override {
         force_->beginFrame(state, t0, t1, workers);
     }
@@ -44,18 +46,26 @@ private:
 };
 
 // A set, and what it does to positions.
-class MeteredSet : public Constraint<double> {
+class MeteredSet : public ContactConstraint<double> {
 public:
     MeteredSet(std::unique_ptr<Constraint<double>> set, Ledger& ledger, std::size_t line)
-        : set_(std::move(set)), ledger_(ledger), impulses_(ledger.impulses_[line]) {}
+        : set_(std::move(set)),
+          contact_(dynamic_cast<ContactConstraint<double>*>(set_.get())),
+          ledger_(ledger),
+          impulses_(ledger.impulses_[line]) {}
 
     void beginFrame(double t0, double t1) override { set_->beginFrame(t0, t1); }
     void begin(const Substep& substep, Workers& workers) override {
         h_ = substep.h;
         set_->begin(substep, workers);
     }
-    void strike(const Sweep<double>& sweep, const State<double>& state, Workers& workers) override {
-        set_->strike(sweep, state, workers);
+    void furnish(Drawer<double>& kept) const override {
+        if (contact_) contact_->furnish(kept);
+    }
+    bool needsPast() const override { return true; }  // close() asks what moved
+    void strike(const Sweep<double>& sweep, const State<double>& state, const Drawer<double>& kept,
+                Workers& workers) override {
+        if (contact_) contact_->strike(sweep, state, kept, workers);
     }
     void project(const Sweep<double>& sweep, Direction direction, Workers& workers) override {
         meter(sweep, [&] { set_->project(sweep, direction, workers); });
@@ -66,11 +76,11 @@ public:
         return work;
     }
     // Of contacts alone, after velocities are known.
-    void rebound(State<double>& state) const override {
-        set_->rebound(state);
+    void rebound(State<double>& state, Drawer<double>& kept) const override {
+        if (contact_) contact_->rebound(state, kept);
         ledger_.close(state, h_);
     }
-    long failures() const override { return set_->failures(); }
+    long failures() const override { return contact_ ? contact_->failures() : 0; }
     long size() const override { return set_->size(); }
 
 private:
@@ -106,6 +116,7 @@ private:
     }
 
     std::unique_ptr<Constraint<double>> set_;
+    ContactConstraint<double>* contact_;  // the same; null: no contact
     Ledger& ledger_;
     Impulses& impulses_;
     Impulses before_;

@@ -5,6 +5,8 @@
 #include "tests/report.h"
 #include "tests/worlds.h"
 
+#include <plait/sets/constraint_set.h>
+
 #include <cmath>
 #include <cstdint>
 #include <string>

@@ -116,7 +116,7 @@ double energyOf(const Solver<float>& solver, const World& world) {
     const State<float>& state = solver.state();
     for (std::size_t i = 0; i < world.mass.size(); ++i) {
         if (world.pinned[i]) continue;
-        const Vec<float>&q = state.air[i].v, &u = state.velocity[i].v;
+        const Vec<float> q = state.airAt(i), u = state.velocity[i].v;
         const Vec<double> v{u.x, u.y, u.z};
         const double w = 1 / world.mass[i], qv = dot(Vec<double>{q.x, q.y, q.z}, v);
         const double q2 = double(dot(q, q));

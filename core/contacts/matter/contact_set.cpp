@@ -164,11 +164,16 @@ void ContactSet<Real>::prepare(const Sweep<Real>& sweep, Workers& workers) {
 }
 
 template <class Real>
+void ContactSet<Real>::furnish(Drawer<Real>& kept) const {
+    if (failures_) kept.integers = failures_->flags();
+}
+
+template <class Real>
 void ContactSet<Real>::strike(const Sweep<Real>& sweep, const State<Real>& state,
-                              Workers& workers) {
+                              const Drawer<Real>& kept, Workers& workers) {
     if (failures_) {
         locate(sweep, workers);
-        failures_->begin(start_, state.disabled, counts_, workers);
+        failures_->begin(start_, kept.integers, counts_, workers);
     }
     if (!bouncy_) return;
     prepare(sweep, workers);
@@ -208,15 +213,16 @@ void ContactSet<Real>::bend(const Sweep<Real>& sweep, const State<Real>& state) 
 
 // The first-order velocity and a past that continues it, so that BDF2 extrapolates no bounce.
 template <class Real>
-void ContactSet<Real>::rebound(State<Real>& state) const {
-    if (failures_) failures_->store(state.disabled);
+void ContactSet<Real>::rebound(State<Real>& state, Drawer<Real>& kept) const {
+    if (failures_) kept.integers = failures_->flags();
     for (const int v : bent_) {
         const Vec<double> kick = divide(1.0, h_) * (start_[v] - paths_[v].start);
         const Vec<Real> d = state.particles[v].d;
         const Vec<Real> velocity = static_cast<Real>(1 / h_) * (d - state.last[v].v) +
                                    Vec<Real>{static_cast<Real>(kick.x), static_cast<Real>(kick.y),
                                              static_cast<Real>(kick.z)};
-        state.velocity[v].v = state.lastVelocity[v].v = velocity;
+        state.velocity[v].v = velocity;
+        if (!state.lastVelocity.empty()) state.lastVelocity[v].v = velocity;
         state.last[v].v = d - static_cast<Real>(h_) * velocity;
     }
 }

@@ -14,7 +14,7 @@
 // last looked for: a run that is resumed has the same bits.
 #pragma once
 
-#include "../../constraint.h"
+#include "../../contact_constraint.h"
 #include "../search/pair_search.h"
 #include "../trouble/failures.h"
 #include "impacts.h"
@@ -26,24 +26,8 @@ namespace plait {
 
 struct World;
 
-// What contacts did since the solver was made.
-struct ContactCounts {
-    long searches = 0;  // for pairs
-    long pairs = 0;     // in the list, at most
-    long contacts = 0;  // in a substep, at most
-    long bounces = 0;   // off what has restitution
-    long impacts = 0;   // times at which paths were asked for
-    long passes = 0;    // over what crossed after the last column
-    long heldBack = 0;  // vertices put back to where they were
-    long failed = 0;    // pairs that cross all the same
-    long tangled = 0;   // vertices where a substep begins, at most, if it is asked
-    long disabled = 0;  // vertices taken out of contacts as failed
-    long enabled = 0;   // of these, taken back
-    long limited = 0;   // times that a contact reached the limit of displacement
-};
-
 template <class Real>
-class ContactSet : public Constraint<Real> {
+class ContactSet : public ContactConstraint<Real> {
 public:
     ContactSet(const World& world, const std::vector<Surface>& surfaces,
                const ContactOptions& options);
@@ -52,8 +36,11 @@ public:
     void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override;
     long finish(const Sweep<Real>& sweep, Workers& workers) override;
     long holdBack(const Sweep<Real>& sweep, Workers& workers) override;
-    void strike(const Sweep<Real>& sweep, const State<Real>& state, Workers& workers) override;
-    void rebound(State<Real>& state) const override;
+    void furnish(Drawer<Real>& kept) const override;
+    bool needsPast() const override { return bouncy_; }
+    void strike(const Sweep<Real>& sweep, const State<Real>& state, const Drawer<Real>& kept,
+                Workers& workers) override;
+    void rebound(State<Real>& state, Drawer<Real>& kept) const override;
     void markTouched(std::vector<std::uint8_t>& touched) const override;
     long failures() const override { return counts_.failed + counts_.disabled; }
     // Contacts looked at in the evaluation last made.

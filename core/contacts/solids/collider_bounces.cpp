@@ -51,7 +51,7 @@ bool ColliderSet<Real>::strike(const Member& member, Path& path) const {
 
 template <class Real>
 void ColliderSet<Real>::strike(const Sweep<Real>& sweep, const State<Real>& state,
-                               Workers& workers) {
+                               const Drawer<Real>&, Workers& workers) {
     if (!bouncy_) return;
     prepare(sweep, workers);
     constexpr int limit = 8;
@@ -61,9 +61,9 @@ void ColliderSet<Real>::strike(const Sweep<Real>& sweep, const State<Real>& stat
             Real* const p = sweep.particles + 8 * v;
             const Vec<double> base = three(p), before = three(sweep.before + 4 * v);
             Path path{.start = base + before, .end = base + three(p + 4)};
-            const Vec<Real>&was = state.before[v].v, &earlier = state.last[v].v;
             if (state.hasPast)
-                path.gain = path.end - path.start - (three(&was.x) - three(&earlier.x));
+                path.gain = path.end - path.start -
+                            (three(&state.before[v].v.x) - three(&state.last[v].v.x));
             int bounces = 0;
             while (bounces < limit && strike(members_[m], path)) ++bounces;
             if (bounces == 0) continue;
@@ -76,23 +76,26 @@ void ColliderSet<Real>::strike(const Sweep<Real>& sweep, const State<Real>& stat
 
 // The first-order velocity and a past that continues it, so that BDF2 extrapolates no bounce.
 template <class Real>
-void ColliderSet<Real>::rebound(State<Real>& state) const {
+void ColliderSet<Real>::rebound(State<Real>& state, Drawer<Real>&) const {
     for (std::size_t m = 0; m < members_.size(); ++m) {
         if (!bent_[m]) continue;
         const int v = members_[m].vertex;
         const Vec<Real> d = state.particles[v].d;
         Vec<Real> velocity{};
         put(&velocity.x, (1 / h_) * (three(&d.x) - three(&state.last[v].v.x)) + kick_[m]);
-        state.velocity[v].v = state.lastVelocity[v].v = velocity;
+        state.velocity[v].v = velocity;
+        if (!state.lastVelocity.empty()) state.lastVelocity[v].v = velocity;
         state.last[v].v = d - static_cast<Real>(h_) * velocity;
     }
 }
 
 template bool ColliderSet<float>::strike(const Member&, Path&) const;
 template bool ColliderSet<double>::strike(const Member&, Path&) const;
-template void ColliderSet<float>::strike(const Sweep<float>&, const State<float>&, Workers&);
-template void ColliderSet<double>::strike(const Sweep<double>&, const State<double>&, Workers&);
-template void ColliderSet<float>::rebound(State<float>&) const;
-template void ColliderSet<double>::rebound(State<double>&) const;
+template void ColliderSet<float>::strike(const Sweep<float>&, const State<float>&,
+                                         const Drawer<float>&, Workers&);
+template void ColliderSet<double>::strike(const Sweep<double>&, const State<double>&,
+                                          const Drawer<double>&, Workers&);
+template void ColliderSet<float>::rebound(State<float>&, Drawer<float>&) const;
+template void ColliderSet<double>::rebound(State<double>&, Drawer<double>&) const;
 
 }  // namespace plait

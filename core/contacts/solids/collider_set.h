@@ -6,25 +6,27 @@
 // once. One that cannot have reached any collider yet costs the square of its way.
 #pragma once
 
-#include "../../constraint.h"
+#include "../../contact_constraint.h"
 #include "../matter/impacts.h"
 #include "collider.h"
 
 namespace plait {
 
 template <class Real>
-class ColliderSet : public Constraint<Real> {
+class ColliderSet : public ContactConstraint<Real> {
 public:
     ColliderSet(const World& world, const std::vector<Collider>& colliders,
                 const std::vector<Surface>& surfaces, const ColliderOptions& options);
 
     void beginFrame(double t0, double t1) override;
     void begin(const Substep& substep, Workers& workers) override;
-    void strike(const Sweep<Real>& sweep, const State<Real>& state, Workers& workers) override;
+    bool needsPast() const override { return bouncy_; }
+    void strike(const Sweep<Real>& sweep, const State<Real>& state, const Drawer<Real>& kept,
+                Workers& workers) override;
     void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override;
     long finish(const Sweep<Real>& sweep, Workers& workers) override;
     long holdBack(const Sweep<Real>& sweep, Workers& workers) override;
-    void rebound(State<Real>& state) const override;
+    void rebound(State<Real>& state, Drawer<Real>& kept) const override;
     void markTouched(std::vector<std::uint8_t>& touched) const override;
     long failures() const override { return failed_; }
     long size() const override { return static_cast<long>(rows_.size()); }

@@ -1,7 +1,6 @@
 #include "failures.h"
 
 #include "../../world.h"
-#include "../matter/contact_set.h"
 
 #include <algorithm>
 
@@ -19,7 +18,7 @@ Failures::Failures(const World& world, const std::vector<Surface>& surfaces,
     : options_(options),
       surface_(world.start.size(), -1),
       pinned_(world.pinned),
-      byHand_(world.start.size(), 0),
+      flags_(world.start.size(), 0),
       neighbours_(world.complex.oneRing()),
       tangles_(world.complex, surfaces, world.pinned) {
     for (std::size_t s = 0; s < surfaces.size(); ++s)
@@ -29,9 +28,8 @@ Failures::Failures(const World& world, const std::vector<Surface>& surfaces,
             const auto flagOf = [&](const std::vector<std::uint8_t>& flags) {
                 return flags.empty() ? 0 : int{flags[i]};
             };
-            byHand_[v] =
-                static_cast<std::uint8_t>(flagOf(surfaces[s].disableExternal) |
-                                          flagOf(surfaces[s].disableSelf) << Disabled::ownShift);
+            flags_[v] = flagOf(surfaces[s].disableExternal) | flagOf(surfaces[s].disableSelf)
+                                                                  << Disabled::ownShift;
         }
     connect(world);
 }
@@ -56,10 +54,9 @@ void Failures::connect(const World& world) {
     }
 }
 
-void Failures::begin(std::span<const Vec<double>> start, std::span<const std::uint8_t> flags,
+void Failures::begin(std::span<const Vec<double>> start, std::span<const std::int32_t> flags,
                      ContactCounts& counts, Workers& workers) {
-    const std::span<const std::uint8_t> given = flags.empty() ? byHand_ : flags;
-    flags_.assign(given.begin(), given.end());
+    flags_.assign(flags.begin(), flags.end());
     if (!options_.trapped && !options_.selfTrapped && !options_.disableFailed) return;
     tangles_.find(start, tangled_, workers);
     long tangled = 0;
@@ -76,7 +73,7 @@ void Failures::begin(std::span<const Vec<double>> start, std::span<const std::ui
 
 void Failures::set(int vertex, bool own, int flag) {
     const int shift = own ? Disabled::ownShift : 0;
-    flags_[vertex] = static_cast<std::uint8_t>((flags_[vertex] & ~(3 << shift)) | flag << shift);
+    flags_[vertex] = (flags_[vertex] & ~(3 << shift)) | flag << shift;
 }
 
 void Failures::disable(int vertex, bool own, ContactCounts& counts) {
@@ -116,12 +113,6 @@ bool Failures::leavesOut(const Pairing& pair) const {
 void Failures::fail(const Pairing& pair, ContactCounts& counts) {
     if (!options_.disableFailed) return;
     for (const int v : pair.vertices) disable(v, own(pair), counts);
-}
-
-void Failures::store(std::vector<std::uint8_t>& flags) const {
-    flags.resize(flags_.size(), 0);
-    for (std::size_t v = 0; v < flags_.size(); ++v)
-        if (surface_[v] >= 0) flags[v] = flags_[v];
 }
 
 }  // namespace plait

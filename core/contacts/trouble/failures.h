@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../../complex/csr.h"
+#include "../counts.h"
 #include "../search/nearest.h"
 #include "../surface.h"
 #include "tangles.h"
@@ -14,7 +15,6 @@
 namespace plait {
 
 struct World;
-struct ContactCounts;
 
 // The flags of a vertex, as V has them, once against its own surface and once against others
 // [FH9]. One that is not 0 takes a vertex, and every simplex that it is a corner of, out of
@@ -37,15 +37,14 @@ public:
     // Whether anything is ever taken out of contacts.
     static bool needed(const std::vector<Surface>& surfaces, const ContactOptions& options);
 
-    // A substep begins with these positions (m, by vertex) and the flags that the last one left,
-    // none in the first.
-    void begin(std::span<const Vec<double>> start, std::span<const std::uint8_t> flags,
+    // A substep begins with these positions (m, by vertex) and the flags that the last one left.
+    void begin(std::span<const Vec<double>> start, std::span<const std::int32_t> flags,
                ContactCounts& counts, Workers& workers);
     bool leavesOut(const Pairing& pair) const;
     // Still crosses after all passes.
     void fail(const Pairing& pair, ContactCounts& counts);
-    // Leaves the flags of its own surfaces to the next substep.
-    void store(std::vector<std::uint8_t>& flags) const;
+    // By vertex, for the next substep; at first those by hand.
+    const std::vector<std::int32_t>& flags() const { return flags_; }
 
 private:
     void connect(const World& world);
@@ -62,7 +61,7 @@ private:
     ContactOptions options_;
     std::vector<int> surface_;  // by vertex, -1 of none
     std::vector<unsigned char> pinned_;
-    std::vector<std::uint8_t> byHand_, flags_;
+    std::vector<std::int32_t> flags_;
     Csr neighbours_;
     std::vector<int> piece_;  // by vertex: what hangs together has one number
     Tangles tangles_;

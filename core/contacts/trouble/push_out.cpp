@@ -153,14 +153,15 @@ long PushOutSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
 
 // Where it was earlier is moved along, for BDF2.
 template <class Real>
-void PushOutSet<Real>::rebound(State<Real>& state) const {
+void PushOutSet<Real>::rebound(State<Real>& state, Drawer<Real>&) const {
     const auto narrow = [](const Vec<double>& a) {
         return Vec<Real>{static_cast<Real>(a.x), static_cast<Real>(a.y), static_cast<Real>(a.z)};
     };
     for (const Push& push : pushes_) {
-        for (auto* d : {&state.particles[push.vertex].d, &state.last[push.vertex].v})
-            *d += narrow(push.way);
+        state.particles[push.vertex].d += narrow(push.way);
+        if (!state.last.empty()) state.last[push.vertex].v += narrow(push.way);
         for (auto* array : {&state.velocity, &state.lastVelocity}) {
+            if (array->empty()) continue;
             const auto velocity = [&](int v) {
                 const Vec<Real>& a = (*array)[v].v;
                 return Vec<double>{double(a.x), double(a.y), double(a.z)};

@@ -4,6 +4,7 @@
 #include "../../collision/candidates.h"
 #include "../../collision/kdop_tree.h"
 #include "../../complex/csr.h"
+#include "../../contact_constraint.h"
 #include "push_out.h"
 
 #include <memory>
@@ -11,7 +12,7 @@
 namespace plait {
 
 template <class Real>
-class PushOutSet : public Constraint<Real> {
+class PushOutSet : public ContactConstraint<Real> {
 public:
     PushOutSet(const World& world, Range mesh, const std::vector<Range>& points,
                const PushOutOptions& options);
@@ -21,7 +22,7 @@ public:
     // Looks for what is inside where the substep ends; it is moved when that is over, so that it
     // is no motion.
     long finish(const Sweep<Real>& sweep, Workers& workers) override;
-    void rebound(State<Real>& state) const override;
+    void rebound(State<Real>& state, Drawer<Real>& kept) const override;
     long size() const override { return 0; }
 
     const PushOutCounts& counts() const { return counts_; }

@@ -4,8 +4,8 @@
 #include "../../linear/smoothed_aggregation.h"
 #include "../../sets/link_sweeps.h"
 #include "../block/vertex_block.h"
-#include "../nucleus.h"
-#include "../xpbd.h"
+#include "../sweeps/nucleus.h"
+#include "../sweeps/xpbd.h"
 #include "free_pieces.h"
 #include "set_roles.h"
 
@@ -18,7 +18,7 @@ template <class Real>
 class Global : public WholeStep<Real> {
 public:
     Global(const SolverOptions& options, const std::vector<NamedSet<Real>>& sets,
-           State<Real>& state)
+           const State<Real>& state)
         : free_(state) {
         const int padding = state.count();
         std::vector<int> ids;
@@ -37,8 +37,7 @@ public:
         sweeps_ = std::make_unique<LinkSweeps<Real>>(ids, padding, options.kernels);
         const LinkBlocks<Real>& all = sweeps_->links();
         edgeBlocks_.resize(static_cast<std::size_t>(all.size()));
-        state.tension.assign(edgeBlocks_.size() + touching_.size(), Real(0));
-        pulls_.resize(state.tension.size());
+        pulls_.resize(edgeBlocks_.size() + touching_.size());
         bore_.resize(touching_.size());
         setUpVertices(state);
         std::vector<int> edges;
@@ -62,6 +61,9 @@ public:
         solution_ = static_cast<long>(factors_->multiplications() / multiplicationsOfALink);
     }
 
+    // Tensions in N, by link, then contact.
+    void furnish(Drawer<Real>& kept) const override { kept.numbers.assign(pulls_.size(), Real(0)); }
+
     void begin(const State<Real>& state) override { free_.noteVelocities(state); }
 
     long take(WholeSubstep<Real>& s) override {
@@ -69,7 +71,7 @@ public:
         free_.noteMeans(s.state);
         readLinks(s);
         for (std::size_t i = 0; i < touching_.size(); ++i)
-            bore_[i] = s.state.tension[edgeBlocks_.size() + i] < 0;
+            bore_[i] = s.kept.numbers[edgeBlocks_.size() + i] < 0;
         for (std::size_t v = 0; v < goal_.size(); ++v) goal_[v] = s.state.particles[v].d;
         sweep(s, {.tolerance = 2e-2, .rings = 5, .sweeps = 30, .rounds = 8});
         for (int column = 0; column < s.columns; ++column) {
@@ -84,10 +86,11 @@ public:
 
     // All of a piece, since links pass an impact on at once: where only the vertices that touch
     // fell back, their neighbours bounced, and a sheet gained 3 J on a sphere.
-    void markStruck(const State<Real>& state, std::vector<std::uint8_t>& struck) override {
+    void markStruck(const State<Real>&, const Drawer<Real>& kept,
+                    std::vector<std::uint8_t>& struck) override {
         std::vector<bool> hit(struck.size(), false);
         for (std::size_t i = 0; i < touching_.size(); ++i)
-            if (!bore_[i] && state.tension[edgeBlocks_.size() + i] < 0)
+            if (!bore_[i] && kept.numbers[edgeBlocks_.size() + i] < 0)
                 hit[free_.pieceOf(touching_[i])] = true;
         for (std::size_t v = 0; v < struck.size(); ++v)
             struck[v] |= hit[free_.pieceOf(static_cast<int>(v))];
@@ -135,7 +138,7 @@ private:
     }
 
     void sweep(WholeSubstep<Real>& s, const Mending& mending) {
-        sweeps_->aim(s.state.tension);
+        sweeps_->aim(s.kept.numbers);
         for (const Direction direction :
              {Direction::forward, Direction::backward, Direction::forward}) {
             work_ += sweeps_->sweep(linkSweep(s), direction, s.workers);
@@ -147,7 +150,7 @@ private:
     }
     // A contact takes the force that would move a lone vertex as far.
     void touch(WholeSubstep<Real>& s) {
-        Real* pressure = s.state.tension.data() + edgeBlocks_.size();
+        Real* pressure = s.kept.numbers.data() + edgeBlocks_.size();
         for (const int k : contacts_) {
             s.sets[k]->terms(s.state, false, terms_);
             for (int n = 0; n < terms_.size(); ++n, ++pressure)
@@ -207,7 +210,7 @@ private:
             right_[v] = inertia * as<double>(goal_[v] - p.d);
         }
         sweeps_->links().forColors(false, s.workers, [&](int begin, int end) {
-            for (int n = begin; n < end; ++n) addLink(s.state, n, ratio * inverseH2);
+            for (int n = begin; n < end; ++n) addLink(s, n, ratio * inverseH2);
         });
         for (const int k : holds_) addHolds(s, k, ratio * inverseH2);
         addContacts(s, ratio * inverseH2);
@@ -242,7 +245,8 @@ private:
     }
 
     // `heaviest`: k times the inverse of the lighter mass, N/m/kg.
-    void addLink(const State<Real>& state, int n, double heaviest) {
+    void addLink(const WholeSubstep<Real>& s, int n, double heaviest) {
+        const State<Real>& state = s.state;
         const LinkBlocks<Real>& all = sweeps_->links();
         const int a = all.vertex(n, 0), b = all.vertex(n, 1);
         const double w = std::max(state.particles[a].w, state.particles[b].w);
@@ -253,7 +257,7 @@ private:
         const Vec<double> d = between(state, a, b);
         // A link that is shrunk to a point has no direction, and is not stiff without bound.
         const double k = heaviest / w, l = std::max(length(d), 1e-3 * double(link.rest));
-        const double c = l - double(link.rest), tension = state.tension[n];
+        const double c = l - double(link.rest), tension = s.kept.numbers[n];
         const double alpha = c + tension / k > 0 ? link.compliance : link.compression;
         if (!(alpha < slack) || !(l > 0)) return;
         const Vec<double> u = (1 / l) * d;
@@ -299,7 +303,7 @@ private:
                 const double w = s.state.particles[v].w;
                 if (w == 0) continue;
                 const double stiffness = heaviest / w;
-                const double force = s.state.tension[i] + stiffness * double(terms_.value[n]);
+                const double force = s.kept.numbers[i] + stiffness * double(terms_.value[n]);
                 if (!(force < 0)) continue;
                 pulls_[i] = {as<double>(terms_.gradient[n]), stiffness, force};
                 vertexBlocks_[v].addOuter(static_cast<float>(stiffness),
@@ -314,13 +318,13 @@ private:
         for (int n = 0; n < all.size(); ++n) {
             const Vec<float> d = step_[all.vertex(n, 1)] - step_[all.vertex(n, 0)];
             const Pull& pull = pulls_[n];
-            s.state.tension[n] = static_cast<Real>(
+            s.kept.numbers[n] = static_cast<Real>(
                 pull.tension + pull.stiffness * dot(pull.direction, as<double>(d)));
         }
         for (std::size_t i = 0; i < touching_.size(); ++i) {
             const Pull& pull = pulls_[edgeBlocks_.size() + i];
             const double moved = dot(pull.direction, as<double>(step_[touching_[i]]));
-            s.state.tension[edgeBlocks_.size() + i] =
+            s.kept.numbers[edgeBlocks_.size() + i] =
                 static_cast<Real>(std::min(pull.tension + pull.stiffness * moved, 0.0));
         }
         for (std::size_t v = 0; v < step_.size(); ++v) s.state.particles[v].d += as<Real>(step_[v]);
@@ -349,14 +353,14 @@ private:
 template <class Real>
 std::unique_ptr<WholeStep<Real>> makeGlobal(const SolverOptions& options,
                                             const std::vector<NamedSet<Real>>& sets,
-                                            State<Real>& state) {
+                                            const State<Real>& state) {
     return std::make_unique<Global<Real>>(options, sets, state);
 }
 template std::unique_ptr<WholeStep<float>> makeGlobal(const SolverOptions&,
                                                       const std::vector<NamedSet<float>>&,
-                                                      State<float>&);
+                                                      const State<float>&);
 template std::unique_ptr<WholeStep<double>> makeGlobal(const SolverOptions&,
                                                        const std::vector<NamedSet<double>>&,
-                                                       State<double>&);
+                                                       const State<double>&);
 
 }  // namespace plait

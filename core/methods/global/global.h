@@ -32,11 +32,11 @@
 
 namespace plait {
 
-// Tensions go to state.tension. Links are the sets whose constraint is the distance of two
+// Tensions are in its drawer. Links are the sets whose constraint is the distance of two
 // vertices.
 template <class Real>
 std::unique_ptr<WholeStep<Real>> makeGlobal(const SolverOptions& options,
                                             const std::vector<NamedSet<Real>>& sets,
-                                            State<Real>& state);
+                                            const State<Real>& state);
 
 }  // namespace plait

@@ -10,7 +10,7 @@
 // singular.
 //
 // The order is 1, 2 and 2 for constraints, gravity and whatever else does not change within a
-// substep. Other forces are taken where the substep begins (forces/force.h): with fields and air
+// substep. Other forces are taken where the substep begins (force.h): with fields and air
 // the order of midpoint is 1, and that of BDF2 stays 2 only for linear drag on facets that do not
 // turn. A reference with such forces needs small steps and its self-difference. Moving rows of soft
 // sets are seen as they are at the end.

@@ -76,7 +76,7 @@ void NewtonEquations::begin(WholeSubstep<double>& s, bool cold) {
 Vec<double> NewtonEquations::massTimes(const State<double>& state, std::size_t i,
                                        const Vec<double>& d) const {
     const double w = state.particles[i].w;
-    const Vec<double> q = state.air[i].v;
+    const Vec<double> q = state.airAt(i);
     return (1 / w) * (d + (dot(q, d) / (w - dot(q, q))) * q);
 }
 

@@ -13,6 +13,7 @@
 
 #include "../../complex/csr.h"
 #include "../../sets/constraint_set.h"
+#include "../../world.h"
 #include "aggregates.h"
 
 #include <memory>
@@ -90,7 +91,7 @@ private:
                 rows.rows.push_back({link.length, 0, slack});
             }
             set = std::make_unique<ConstraintSet<Stretch, Real>>(
-                rows, static_cast<int>(level.mass.size()), choice);
+                std::move(rows), static_cast<int>(level.mass.size()), choice);
         }
 
         // x, once a substep: near where d will be measured from.
@@ -151,5 +152,10 @@ private:
     std::vector<Level> levels_;
     bool fresh_ = true;  // no evaluation yet in this substep
 };
+
+// Coarse levels of these links, down to `fewest` aggregates that move. Links count as rigid,
+// whatever their compliance.
+void aggregate(World& world, const Rows<Stretch>& set, SetOptions options, int fewest = 16);
+void aggregate(World& world, std::vector<AggregateLevel> levels, SetOptions options);
 
 }  // namespace plait

@@ -10,13 +10,14 @@
 // With geometric stiffness (Tournier et al., "Stable constrained dynamics", 2015) the multipliers
 // that an evaluation finds act not along where links were, but, where they pull, along where they
 // come to lie: what a taut strand has against being turned is then implicit, and a wave across it
-// may pass many links in a substep (methods/README.md). Theirs is of the step before and part of
+// may pass many links in a substep (README.md). Theirs is of the step before and part of
 // one system; here it is of the multipliers just found, in a second one, so that nothing is kept.
 #pragma once
 
 #include "../../constraint.h"
 #include "../../constraints/kinds.h"
 #include "../../constraints/rows.h"
+#include "../../world.h"
 #include "strand_kernels.h"
 #include "strands.h"
 
@@ -30,14 +31,21 @@ class StrandSet : public Constraint<Real> {
 public:
     // `rest` by vertex, m; one vertex more is a vertex without mass that nothing else uses. Throws
     // std::invalid_argument for rows that move and for links that buckle or do not act.
-    StrandSet(const Rows<Stretch>& set, std::span<const Vec<double>> rest, KernelChoice choice,
+    StrandSet(Rows<Stretch> set, std::span<const Vec<double>> rest, KernelChoice choice,
               bool geometricStiffness = false)
-        : StrandSet(set, strandsOf(set.ids, rest), static_cast<int>(rest.size()), choice,
+        : StrandSet(std::make_shared<const Rows<Stretch>>(std::move(set)), rest, choice,
+                    geometricStiffness) {}
+    StrandSet(const SharedRows<Stretch>& set, std::span<const Vec<double>> rest,
+              KernelChoice choice, bool geometricStiffness = false)
+        : StrandSet(set, strandsOf(set->ids, rest), static_cast<int>(rest.size()), choice,
                     geometricStiffness) {}
     // `strands` of all links, those of a colour from long to short; `padding` is that vertex.
-    StrandSet(const Rows<Stretch>& set, std::span<const Strand> strands, int padding,
+    StrandSet(SharedRows<Stretch> shared, std::span<const Strand> strands, int padding,
               KernelChoice choice, bool geometricStiffness = false)
-        : kernels_(strandKernels<Real>(choice)), set_(set), turns_(geometricStiffness) {
+        : kernels_(strandKernels<Real>(choice)),
+          set_(std::move(shared)),
+          turns_(geometricStiffness) {
+        const Rows<Stretch>& set = *set_;
         if (set.animate) throw std::invalid_argument("strands: rest lengths cannot move");
         for (const auto& row : set.rows)
             if (row.compression != row.compliance)
@@ -80,11 +88,11 @@ public:
     }
     bool termsOf(std::span<const int> which, const State<Real>& state, bool curved,
                  Terms<Real>& out) const override {
-        setTerms<Stretch>(out, set_.ids, which, curved, state,
-                          [&](int i) { return narrow<Stretch, Real>(set_.rows[i]); });
+        setTerms<Stretch>(out, set_->ids, which, curved, state,
+                          [&](int i) { return narrow<Stretch, Real>(set_->rows[i]); });
         return true;
     }
-    long size() const override { return set_.size(); }
+    long size() const override { return set_->size(); }
 
 private:
     // As in StrandBlock.
@@ -139,11 +147,17 @@ private:
     }
 
     const StrandTable<Real>& kernels_;
-    Rows<Stretch> set_;
+    SharedRows<Stretch> set_;
     bool turns_;
     std::vector<Block> blocks_;
     std::vector<Share> shares_;
     std::vector<Color> colors_;
 };
+
+// These links strung to strands, each solved at once, in lanes.
+void strand(World& world, const Rows<Stretch>& set, SetOptions options,
+            bool geometricStiffness = false);
+void strand(World& world, const Rows<Stretch>& set, std::vector<Strand> strands, SetOptions options,
+            bool geometricStiffness = false);
 
 }  // namespace plait

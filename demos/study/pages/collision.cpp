@@ -7,6 +7,7 @@
 #include <plait/collision/polynomials.h>
 #include <plait/collision/query.h>
 #include <plait/collision/roots.h>
+#include <plait/constraints/constants.h>
 #include <plait/numbers/elementary.h>
 
 #include <algorithm>

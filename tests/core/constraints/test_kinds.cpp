@@ -3,6 +3,7 @@
 #include "tests/random.h"
 #include "tests/report.h"
 
+#include <plait/constraints/constants.h>
 #include <plait/sets/constraint_set.h>
 
 #include <array>

@@ -155,7 +155,7 @@ TEMPLATE_TEST_CASE("terms: links give the same whoever solves them", "[terms]", 
     for (int i = 0; i < 4; ++i) links.rows.push_back({1.0 + 0.1 * i, 1e-3 * i, 1e-3 * i});
     world.constrain(links, {.name = "coloured"});
     world.constrain(links, {.name = "direct", .direct = true});
-    world.strand(links, {.name = "strands"});
+    strand(world, links, {.name = "strands"});
     const Solver<TestType> solver(world, {});
     Terms<TestType> terms[3];
     for (int s = 0; s < 3; ++s) REQUIRE(solver.set(s).terms(solver.state(), true, terms[s]));

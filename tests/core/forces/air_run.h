@@ -43,7 +43,9 @@ struct Run {
           gravity(world, {.acceleration = {0, -g, 0}}),
           air(world, options),
           state(stateOf<Real>(world)),
-          workers(threads) {}
+          workers(threads) {
+        if (air.hasInertia()) giveAir(state);
+    }
 
     void fall(int substeps, double h) {
         for (int s = 0; s < substeps; ++s) act<Real>(state, {&gravity, &air}, h, workers);
@@ -58,7 +60,7 @@ struct Run {
         for (std::size_t i = 0; i < world.mass.size(); ++i) {
             if (world.pinned[i]) continue;
             const double m = world.mass[i];
-            const Vec<double> v = widened(state.velocity[i].v), q = widened(state.air[i].v);
+            const Vec<double> v = widened(state.velocity[i].v), q = widened(state.airAt(i));
             const double along = m * dot(q, v);
             sum += (m * dot(v, v) + along * along / (1 - m * dot(q, q))) / 2;
         }

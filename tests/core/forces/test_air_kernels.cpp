@@ -60,6 +60,7 @@ std::vector<Padded<Real>> blown(const World& world, const AirOptions& options, K
     Gravity<Real> gravity(world, {});
     Air<Real> air(world, options, kernels);
     State<Real> state = stateOf<Real>(world);
+    if (air.hasInertia()) giveAir(state);
     Workers workers(threads);
     for (int s = 0; s < 2 * substeps; ++s) {
         const double t = s * frame / substeps;

@@ -95,11 +95,12 @@ TEST_CASE("global: the same bits from all threads and kernels, and after a stop"
         CHECK(resumed.hash() == hash);
         CHECK(resumed.evaluations() == solver.evaluations());
         State<float> forgetful = middle;
-        std::fill(forgetful.tension.begin(), forgetful.tension.end(), 0.0F);
+        std::vector<float>& tension = forgetful.kept.back().numbers;
+        std::ranges::fill(tension, 0.0F);
         resumed.restore(forgetful, work);
         advance(resumed, 10);
         CHECK(resumed.hash() != hash);
-        forgetful.tension.pop_back();
+        tension.pop_back();
         CHECK_THROWS_AS(resumed.restore(forgetful, work), std::invalid_argument);
     }
 }

@@ -4,8 +4,10 @@
 #include "tests/report.h"
 #include "tests/worlds.h"
 
+#include <plait/constraints/constants.h>
 #include <plait/forces/air.h>
 #include <plait/measure/momentum.h>
+#include <plait/sets/constraint_set.h>
 
 #include <cmath>
 #include <numeric>

@@ -4,7 +4,9 @@
 #include "tests/report.h"
 #include "tests/worlds.h"
 
+#include <plait/constraints/constants.h>
 #include <plait/numbers/elementary.h>
+#include <plait/sets/constraint_set.h>
 
 #include <algorithm>
 #include <array>

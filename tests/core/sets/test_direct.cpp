@@ -1,8 +1,10 @@
 // The direct solve against dense linear algebra, in closed form, and where there is no solution.
 #include "tests/catch.h"
+#include "tests/hand_state.h"
 #include "tests/random.h"
 #include "tests/report.h"
 
+#include <plait/constraints/constants.h>
 #include <plait/constraints/kinds.h>
 #include <plait/numbers/finite.h>
 #include <plait/sets/direct_set.h>
@@ -54,13 +56,12 @@ struct Run {
         const auto all = net.x.size() + 1;
         state.particles.resize(all);
         state.velocity.resize(all);
-        state.air.resize(all);
-        state.hasAir = !net.q.empty();
+        if (!net.q.empty()) giveAir(state);
         for (std::size_t i = 0; i < net.x.size(); ++i) {
             const Vec<Real> x = narrow(net.x[i]);
             const Point left = net.x[i] - wide(x);
             state.particles[i] = {x, static_cast<Real>(net.w[i]), narrow(left), 0};
-            if (state.hasAir) state.air[i].v = narrow(net.q[i]);
+            if (state.air()) setAir(state, i, narrow(net.q[i]));
         }
         set.begin({h, 1}, workers);
     }
@@ -73,7 +74,7 @@ struct Run {
 
     Sweep<Real> sweep(double strength = 1) {
         return {.particles = &state.particles[0].x.x,
-                .air = state.hasAir ? &state.air[0].v.x : nullptr,
+                .air = state.air(),
                 .out = &state.velocity[0].v.x,
                 .inverseH2 = static_cast<Real>(1 / (h * h)),
                 .keep = keep,

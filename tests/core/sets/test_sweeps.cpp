@@ -7,7 +7,7 @@
 #include "tests/report.h"
 #include "tests/sheet.h"
 
-#include <plait/methods/xpbd.h>
+#include <plait/methods/sweeps/xpbd.h>
 #include <plait/sets/constraint_set.h>
 
 #include <Eigen/Dense>

@@ -6,8 +6,11 @@
 #include "tests/sheet.h"
 #include "tests/shells.h"
 
+#include <plait/constraints/constants.h>
 #include <plait/measure/energy.h>
 #include <plait/measure/momentum.h>
+#include <plait/sets/constraint_set.h>
+#include <plait/sheets/aggregates/aggregate_set.h>
 #include <plait/sheets/tethers/tethers.h>
 
 #include <limits>
@@ -130,7 +133,7 @@ Outcome hang(const Hanging& of) {
     if (of.tethers)
         world.constrain(tethersOf(world.complex, all, world.rest, std::vector{0, of.n - 1}).set,
                         {.name = "tethers"});
-    if (of.coarse) world.aggregate(links, {.name = "aggregates"});
+    if (of.coarse) aggregate(world, links, {.name = "aggregates"});
     SolverOptions options;
     options.schedule = {.substeps = of.substeps, .frameRate = {60, 1}, .iterations = 1};
     Solver<Real> solver(world, options);
@@ -329,7 +332,7 @@ TEMPLATE_TEST_CASE("aggregates: a free sheet keeps its momentum", "[aggregates]"
         world.add(shape, {.density = 0.2, .velocity = velocity});
         const Rows<Stretch> links = linksOf(world);
         world.constrain(links, {.name = "links"});
-        if (coarse) world.aggregate(links, {.name = "aggregates"});
+        if (coarse) aggregate(world, links, {.name = "aggregates"});
         Solver<TestType> solver(world, stepping(1200));
         const auto turn = [&] {
             return angularMomentum(world.mass, solver.positions(), solver.velocities(),

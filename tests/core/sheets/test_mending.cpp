@@ -5,6 +5,8 @@
 #include "tests/report.h"
 #include "tests/worlds.h"
 
+#include <plait/sheets/mend_set.h>
+
 #include <algorithm>
 
 using namespace plait;
@@ -142,11 +144,11 @@ TEST_CASE("mending: the same bits by any number of threads and lanes", "[mending
 
 TEST_CASE("mending: links with compliance, and those that move, are refused", "[mending]") {
     World soft = sheetAt(moved(0, 1));
-    soft.mend(linksOf(soft, 1e-3), {.name = "mending"});
+    mend(soft, linksOf(soft, 1e-3), {.name = "mending"});
     CHECK_THROWS_AS(Solver<float>(soft, {}), std::invalid_argument);
     World moving = sheetAt(moved(0, 1));
     Rows<Stretch> links = linksOf(moving);
     links.animate = [](double, std::span<Stretch::Row<double>>) {};
-    moving.mend(links, {.name = "mending"});
+    mend(moving, links, {.name = "mending"});
     CHECK_THROWS_AS(Solver<float>(moving, {}), std::invalid_argument);
 }

@@ -5,9 +5,12 @@
 #include "tests/sheet.h"
 #include "tests/shells.h"
 
+#include <plait/constraints/constants.h>
 #include <plait/measure/energy.h>
 #include <plait/measure/momentum.h>
 #include <plait/numbers/elementary.h>
+#include <plait/sets/direct_set.h>
+#include <plait/sheets/strands/strand_set.h>
 
 #include <Eigen/Dense>
 #include <limits>
@@ -67,10 +70,10 @@ struct Chains {
 template <class Real>
 void addAir(State<Real>& state) {
     Random random(9);
-    state.hasAir = true;
+    giveAir(state);
     for (int i = 0; i < state.count(); ++i)
-        state.air[i].v =
-            narrowed<Real>(std::sqrt(double(state.particles[i].w)) * random.point(0.57));
+        setAir(state, i,
+               narrowed<Real>(std::sqrt(double(state.particles[i].w)) * random.point(0.57)));
 }
 
 constexpr double h = 0.01;
@@ -78,7 +81,7 @@ constexpr double h = 0.01;
 template <class Real>
 Sweep<Real> sweepOver(State<Real>& state, double strength = 1) {
     return {.particles = &state.particles[0].x.x,
-            .air = state.hasAir ? &state.air[0].v.x : nullptr,
+            .air = state.air(),
             .out = &state.velocity[0].v.x,
             .inverseH2 = static_cast<Real>(1 / (h * h)),
             .keep = 1,
@@ -129,7 +132,7 @@ struct Dense {
             a(i) = of.rows.rows[i].compliance / (h * h);
         }
         for (int v = 0; v < state.count(); ++v) {
-            const Vec<double> q = state.air[v].v;
+            const Vec<double> q = state.airAt(v);
             const Eigen::Vector3d e(q.x, q.y, q.z);
             w.block<3, 3>(3 * v, 3 * v) =
                 state.particles[v].w * Eigen::Matrix3d::Identity() - e * e.transpose();
@@ -352,7 +355,8 @@ TEMPLATE_TEST_CASE("strands: corrections of free strands have no resultant and n
 }
 
 // A thread drawn tight between two pins, so that h is 10 times what a wave across takes for a link:
-// a wiggle from vertex to vertex grows in an explicit step, past c h = 0.58 l (methods/README.md).
+// a wiggle from vertex to vertex grows in an explicit step, past c h = 0.58 l
+// (sheets/strands/README.md).
 TEST_CASE("strands: geometric stiffness lets waves pass many links a substep", "[strands]") {
     const auto wiggleAfter = [](bool geometricStiffness) {
         World world;
@@ -370,7 +374,7 @@ TEST_CASE("strands: geometric stiffness lets waves pass many links a substep", "
             row.rest = l;
             row.compliance = row.compression = 0.001 * l / tension;
         }
-        world.strand(rows, {.name = "thread"}, geometricStiffness);
+        strand(world, rows, {.name = "thread"}, geometricStiffness);
         Solver<double> solver(world, {.schedule = {.substeps = 10, .frameRate = {60}}});
         for (int frame = 0; frame < 3; ++frame) solver.frame();
         double most = 0;
@@ -422,7 +426,7 @@ TEST_CASE("strands: a compliant chain hangs as long as its weight makes it", "[s
         drop.y -= 1e-3 * 0.05 * 9.81 * below--;
         world.start[v] += drop;
     }
-    world.strand(rows, {.name = "chain"});
+    strand(world, rows, {.name = "chain"});
     Solver<double> solver(world, stepping(100));
     advance(solver, 100);
     CHECK(report("sag after 1 s, m", furthest(solver.positions(), world.start), 1e-12));
@@ -436,7 +440,7 @@ TEST_CASE("strands: the same bits in all lanes, levels and threads",
     world.pin({0, 69, rope.first});
     world.act<Gravity>(GravityOptions{});
     actAir(world, {.addedMass = 0.3, .objects = {sheet}, .wind = {steady({3, 0, 1}), 0}});
-    world.strand(linksOf(world, 1e-6), {.name = "strands", .damping = 0.1}, GENERATE(false, true));
+    strand(world, linksOf(world, 1e-6), {.name = "strands", .damping = 0.1}, GENERATE(false, true));
     const auto hashAfter = [&]<class Real>(Real, KernelChoice kernels, int threads) {
         SolverOptions options = stepping(300);
         options.kernels = kernels;
@@ -542,8 +546,8 @@ TEST_CASE("strands: a sheet of warp and weft gains no energy, and holds", "[stra
         set.ids.insert(set.ids.end(), {a, b});
         set.rows.push_back(links.rows[i]);
     }
-    world.strand(threads[0], {.name = "warp"});
-    world.strand(threads[1], {.name = "weft"});
+    strand(world, threads[0], {.name = "warp"});
+    strand(world, threads[1], {.name = "weft"});
     world.constrain(bias, {.name = "bias"});
     SolverOptions options;
     options.schedule = {.substeps = 40, .frameRate = {60, 1}, .iterations = 1};

@@ -15,7 +15,9 @@
 #include "tests/report.h"
 #include "tests/worlds.h"
 
+#include <plait/constraints/constants.h>
 #include <plait/measure/momentum.h>
+#include <plait/sets/constraint_set.h>
 
 #include <cmath>
 #include <string>

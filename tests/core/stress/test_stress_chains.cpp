@@ -6,8 +6,10 @@
 #include "tests/report.h"
 #include "tests/worlds.h"
 
+#include <plait/constraints/constants.h>
 #include <plait/numbers/finite.h>
 #include <plait/sheets/inextensible.h>
+#include <plait/sheets/strands/strand_set.h>
 
 #include <chrono>
 #include <cmath>
@@ -46,7 +48,7 @@ World rope(const Rope& r) {
     if (r.how != Links::held)
         world.constrain(links, {.name = "links", .direct = r.how == Links::solved});
     else if (r.compliance > 0)
-        world.strand(links, {.name = "links"});
+        strand(world, links, {.name = "links"});
     else
         holdSheet(world, all);
     return world;

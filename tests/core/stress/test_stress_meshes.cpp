@@ -5,8 +5,10 @@
 #include "tests/report.h"
 #include "tests/worlds.h"
 
+#include <plait/constraints/constants.h>
 #include <plait/forces/air.h>
 #include <plait/numbers/finite.h>
+#include <plait/sheets/strands/strand_set.h>
 
 #include <cmath>
 #include <limits>
@@ -29,7 +31,7 @@ World clothOf(const Shape& shape, int pins, Links how = Links::swept) {
     world.act<Gravity>(GravityOptions{});
     actAir(world, {.wind = {.velocity = [](double) { return Vec<double>{0, 0, 2}; }}});
     if (how == Links::strands)
-        world.strand(linksOf(world), {.name = "stretch", .order = 2});
+        strand(world, linksOf(world), {.name = "stretch", .order = 2});
     else
         world.constrain(linksOf(world), {.name = "stretch", .order = 2});
     world.constrain(restRows<Shear>(triangleStencils(world.complex, all), world.rest, 1e-3),
@@ -121,7 +123,7 @@ TEST_CASE("stress 31: twins and orphans among vertices, and rows of no number", 
             wrong.add(chain({}));
             const Rows<Stretch> rows{{0, 1}, {row}, {}, {}};
             if (strand)
-                wrong.strand(rows, {.name = "thread"});
+                plait::strand(wrong, rows, {.name = "thread"});
             else
                 wrong.constrain(rows, {.name = "thread"});
             CHECK_THROWS_WITH(Solver<float>(wrong, {}), "thread: a row holds no number");

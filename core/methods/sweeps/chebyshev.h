@@ -15,8 +15,8 @@
 // Mixing neither changes momentum nor moves pins. Contacts come after it in every column.
 #pragma once
 
-#include "../kernels/workers.h"
-#include "../state.h"
+#include "../../kernels/workers.h"
+#include "../../state.h"
 
 #include <vector>
 

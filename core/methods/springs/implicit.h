@@ -16,7 +16,7 @@
 // implicit equation: what turns far in a substep comes out stretched.
 #pragma once
 
-#include "block/vertex_block.h"
+#include "../block/vertex_block.h"
 #include "springs.h"
 
 #include <type_traits>

@@ -3,8 +3,8 @@
 // lies give none.
 #pragma once
 
-#include "../constraints/constants.h"
-#include "../whole_step.h"
+#include "../../constraints/constants.h"
+#include "../../whole_step.h"
 
 namespace plait {
 

@@ -1,13 +1,13 @@
-#include "../whole_step.h"
+#include "methods.h"
 
 #include "../constraints/constants.h"
 #include "block/block.h"
-#include "explicit.h"
 #include "global/global.h"
-#include "implicit.h"
 #include "linearised.h"
 #include "newton/newton.h"
-#include "symplectic.h"
+#include "springs/explicit.h"
+#include "springs/implicit.h"
+#include "springs/symplectic.h"
 
 #include <stdexcept>
 
@@ -67,7 +67,7 @@ void check(const Scope& scope, const NamedSet<Real>& named, const State<Real>& s
 template <class Real>
 std::unique_ptr<WholeStep<Real>> makeWholeStep(const SolverOptions& options,
                                                const std::vector<NamedSet<Real>>& sets,
-                                               State<Real>& state, bool airHasInertia) {
+                                               const State<Real>& state, bool airHasInertia) {
     if (options.integrator == Integrator::midpoint && options.method != Method::newton)
         throw std::invalid_argument("integrator midpoint is for method newton alone");
     if (options.method == Method::xpbd || options.method == Method::nucleus) return nullptr;
@@ -101,9 +101,9 @@ std::unique_ptr<WholeStep<Real>> makeWholeStep(const SolverOptions& options,
 
 template std::unique_ptr<WholeStep<float>> makeWholeStep(const SolverOptions&,
                                                          const std::vector<NamedSet<float>>&,
-                                                         State<float>&, bool);
+                                                         const State<float>&, bool);
 template std::unique_ptr<WholeStep<double>> makeWholeStep(const SolverOptions&,
                                                           const std::vector<NamedSet<double>>&,
-                                                          State<double>&, bool);
+                                                          const State<double>&, bool);
 
 }  // namespace plait

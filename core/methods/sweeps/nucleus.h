@@ -4,7 +4,7 @@
 // (M 2.4). Kept as the paper has it, although stiffness then depends on everything.
 #pragma once
 
-#include "../kernels/kernels.h"
+#include "../../kernels/kernels.h"
 
 namespace plait {
 

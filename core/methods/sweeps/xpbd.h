@@ -6,7 +6,7 @@
 // the step that the velocity rule implies: 2/3 of the substep under BDF2.
 #pragma once
 
-#include "../kernels/kernels.h"
+#include "../../kernels/kernels.h"
 
 namespace plait {
 

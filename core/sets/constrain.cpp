@@ -1,5 +1,5 @@
 // Sets of every kind in constraints/kinds.h, so that no other file compiles them again.
-#include "../world.h"
+#include "constrain.h"
 
 namespace plait {
 

@@ -1,0 +1,29 @@
+// A set of one-sided constraints that have the last word on where things are: contacts. What the
+// solver asks of them beyond what it asks of every set.
+#pragma once
+
+#include "constraint.h"
+
+namespace plait {
+
+template <class Real>
+class ContactConstraint : public Constraint<Real> {
+public:
+    // What it keeps past a substep, as a run begins.
+    virtual void furnish(Drawer<Real>&) const {}
+    // True: it asks where things were a substep earlier (State::last).
+    virtual bool needsPast() const { return false; }
+
+    // Before the columns, where everything has been predicted: impacts that bounce.
+    virtual void strike(const Sweep<Real>&, const State<Real>&, const Drawer<Real>&, Workers&) {}
+    // After finish() and in turns until none does anything more: what passes through all the same
+    // goes back to where the substep began. Returns how many vertices that moves.
+    virtual long holdBack(const Sweep<Real>&, Workers&) { return 0; }
+    // After the velocities: what a bounce leaves and the change of positions does not show.
+    virtual void rebound(State<Real>&, Drawer<Real>&) const {}
+
+    // What it could not hold since the solver was made, pair by pair and vertex by vertex.
+    virtual long failures() const { return 0; }
+};
+
+}  // namespace plait
