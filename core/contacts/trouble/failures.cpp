@@ -34,20 +34,20 @@ Failures::Failures(const World& world, const std::vector<Surface>& surfaces,
     connect(world);
 }
 
-// By flooding from the lowest vertex of each piece.
+// By flooding from the lowest vertex of each island.
 void Failures::connect(const World& world) {
-    piece_.assign(world.start.size(), -1);
+    island_.assign(world.start.size(), -1);
     std::vector<int> open;
-    for (int root = 0; root < std::ssize(piece_); ++root) {
-        if (piece_[root] >= 0) continue;
-        piece_[root] = root;
+    for (int root = 0; root < std::ssize(island_); ++root) {
+        if (island_[root] >= 0) continue;
+        island_[root] = root;
         open.assign(1, root);
         while (!open.empty()) {
             const int v = open.back();
             open.pop_back();
             for (const int u : neighbours_[v])
-                if (piece_[u] < 0) {
-                    piece_[u] = root;
+                if (island_[u] < 0) {
+                    island_[u] = root;
                     open.push_back(u);
                 }
         }
@@ -82,7 +82,7 @@ void Failures::disable(int vertex, bool own, ContactCounts& counts) {
     ++counts.disabled;
 }
 
-// What is tangled no longer and next to what is not disabled; or all of a piece that is disabled
+// What is tangled no longer and next to what is not disabled; or all of an island that is disabled
 // and nowhere tangled, since it is on one side. One ring a substep: what has gone through is not
 // taken back before all that is between it and the rest.
 void Failures::release(bool own, ContactCounts& counts) {
@@ -90,12 +90,12 @@ void Failures::release(bool own, ContactCounts& counts) {
     const auto failed = [&](int v) { return (flag(v, own) & Disabled::asFailed) != 0; };
     stuck_.assign(flags_.size(), 0);
     for (std::size_t v = 0; v < flags_.size(); ++v)
-        if (marks[v] || (surface_[v] >= 0 && !failed(static_cast<int>(v)))) stuck_[piece_[v]] = 1;
+        if (marks[v] || (surface_[v] >= 0 && !failed(static_cast<int>(v)))) stuck_[island_[v]] = 1;
     freed_.clear();
     for (int v = 0; v < std::ssize(flags_); ++v) {
         if (!failed(v) || marks[v]) continue;
         const auto beside = neighbours_[v];
-        if (!stuck_[piece_[v]] || std::ranges::any_of(beside, [&](int u) { return !failed(u); }))
+        if (!stuck_[island_[v]] || std::ranges::any_of(beside, [&](int u) { return !failed(u); }))
             freed_.push_back(v);
     }
     for (const int v : freed_) set(v, own, Disabled::free(flag(v, own)));

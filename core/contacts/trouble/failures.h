@@ -63,10 +63,10 @@ private:
     std::vector<unsigned char> pinned_;
     std::vector<std::int32_t> flags_;
     Csr neighbours_;
-    std::vector<int> piece_;  // by vertex: what hangs together has one number
+    std::vector<int> island_;  // by vertex: what hangs together has one number
     Tangles tangles_;
     Tangles::Marks tangled_;
-    std::vector<unsigned char> stuck_;  // by piece
+    std::vector<unsigned char> stuck_;  // by island
     std::vector<int> freed_;            // vertices, of this substep
 };
 

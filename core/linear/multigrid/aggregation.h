@@ -7,7 +7,7 @@
 
 namespace plait {
 
-// Nodes in an order in which neighbours are close: breadth first, from the first of each piece.
+// Nodes in an order in which neighbours are close: breadth first, from the first of each island.
 std::vector<int> breadthFirst(const Csr& neighbours);
 
 struct Aggregates {

@@ -1,5 +1,5 @@
-// The coarser levels of smoothed aggregation: bodies, six numbers each, down to one for every piece
-// of the mesh.
+// The coarser levels of smoothed aggregation: bodies, six numbers each, down to one for every
+// island of the mesh.
 #pragma once
 
 #include "../../numbers/math.h"

@@ -6,7 +6,7 @@
 #include "../block/vertex_block.h"
 #include "../sweeps/nucleus.h"
 #include "../sweeps/xpbd.h"
-#include "free_pieces.h"
+#include "free_islands.h"
 #include "set_roles.h"
 
 #include <memory>
@@ -84,16 +84,16 @@ public:
         return work_;
     }
 
-    // All of a piece, since links pass an impact on at once: where only the vertices that touch
+    // All of an island, since links pass an impact on at once: where only the vertices that touch
     // fell back, their neighbours bounced, and a sheet gained 3 J on a sphere.
     void markStruck(const State<Real>&, const Drawer<Real>& kept,
                     std::vector<std::uint8_t>& struck) override {
         std::vector<bool> hit(struck.size(), false);
         for (std::size_t i = 0; i < touching_.size(); ++i)
             if (!bore_[i] && kept.numbers[edgeBlocks_.size() + i] < 0)
-                hit[free_.pieceOf(touching_[i])] = true;
+                hit[free_.islandOf(touching_[i])] = true;
         for (std::size_t v = 0; v < struck.size(); ++v)
-            struck[v] |= hit[free_.pieceOf(static_cast<int>(v))];
+            struck[v] |= hit[free_.islandOf(static_cast<int>(v))];
     }
 
 private:
@@ -332,7 +332,7 @@ private:
 
     std::vector<int> links_, holds_, contacts_, swept_;  // sets
     std::vector<int> hard_;                              // those of holds_ that are rigid
-    FreePieces<Real> free_;
+    FreeIslands<Real> free_;
     std::unique_ptr<LinkSweeps<Real>> sweeps_;
     std::unique_ptr<Multifrontal> factors_;
     std::unique_ptr<SmoothedAggregation> multigrid_;  // in its place, of many vertices
