@@ -1,6 +1,7 @@
 // What the solver does vertex by vertex: integration, pins, and where a run begins.
 #include "constraints/constants.h"
 #include "methods/methods.h"
+#include "numbers/convert.h"
 #include "numbers/elementary.h"
 #include "numbers/finite.h"
 #include "solver.h"
@@ -11,16 +12,6 @@ namespace plait {
 namespace {
 
 constexpr int grain = 1024;  // vertices a thread takes at least
-
-template <class Real>
-Vec<Real> narrow(const Vec<double>& v) {
-    return {static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z)};
-}
-
-template <class Real>
-Vec<double> wide(const Vec<Real>& v) {
-    return {double(v.x), double(v.y), double(v.z)};
-}
 
 // A vector with its padding in one register, since gcc's own way of pairing them is off (see
 // CMakeLists.txt). Divisions by h stay divisions: the rounding of an inverse would speed up or slow
@@ -52,8 +43,8 @@ Real lengthOf(const Four<Real>& v) {
 // X + d with X the nearest number: what rounding takes from X is in d.
 template <class Real>
 void split(Particle<Real>& p, const Vec<double>& x) {
-    p.x = narrow<Real>(x);
-    p.d = narrow<Real>(x - wide(p.x));
+    p.x = as<Real>(x);
+    p.d = as<Real>(x - as<double>(p.x));
 }
 
 // a + b = sum + error exactly, whichever is larger (Knuth, TAOCP 2, 4.2.2).
@@ -181,7 +172,7 @@ void Solver<Real>::setUpState() {
         Particle<Real>& p = state_.particles[i];
         split(p, world.start[i]);
         p.w = world.pinned[i] ? 0 : static_cast<Real>(1 / mass);
-        state_.velocity[i].v = narrow<Real>(world.velocity[i]);
+        state_.velocity[i].v = as<Real>(world.velocity[i]);
         if (!world.pinned[i] && !(mass > 0 && std::isfinite(mass) && std::isfinite(p.w)))
             throw std::invalid_argument("vertex " + std::to_string(i) + " has no mass");
         if (!isFinite(p.x) || !isFinite(state_.velocity[i].v))
@@ -252,7 +243,7 @@ void Solver<Real>::movePins(double f) {
         for (std::size_t i = 0; i < pins.vertices.size(); ++i) {
             Particle<Real>& p = state_.particles[static_cast<std::size_t>(pins.vertices[i])];
             const Vec<double> target = pins.from[i] + f * (pins.to[i] - pins.from[i]);
-            p.d = narrow<Real>(target - wide(p.x));
+            p.d = as<Real>(target - as<double>(p.x));
         }
     if (blaming_) blame("the motion of a pin");
 }
@@ -328,9 +319,8 @@ void Solver<Real>::takePast() {
     if (pastPositions_.empty()) return;
     for (std::size_t i = 0; i < pastPositions_.size(); ++i) {
         if (!state_.last.empty())
-            state_.last[i].v = narrow<Real>(pastPositions_[i] - wide(state_.particles[i].x));
-        if (!state_.lastVelocity.empty())
-            state_.lastVelocity[i].v = narrow<Real>(pastVelocities_[i]);
+            state_.last[i].v = as<Real>(pastPositions_[i] - as<double>(state_.particles[i].x));
+        if (!state_.lastVelocity.empty()) state_.lastVelocity[i].v = as<Real>(pastVelocities_[i]);
     }
     state_.hasPast = true;
 }
@@ -346,7 +336,7 @@ template <class Real>
 std::vector<Vec<double>> Solver<Real>::velocities() const {
     std::vector<Vec<double>> v;
     for (int i = 0; i < state_.count(); ++i)
-        v.push_back(wide(state_.velocity[static_cast<std::size_t>(i)].v));
+        v.push_back(as<double>(state_.velocity[static_cast<std::size_t>(i)].v));
     return v;
 }
 

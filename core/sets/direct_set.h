@@ -5,6 +5,7 @@
 #include "../constraint.h"
 #include "../constraints/constants.h"
 #include "../constraints/moving_rows.h"
+#include "../numbers/convert.h"
 #include "forest.h"
 #include "tree_solve.h"
 
@@ -68,7 +69,7 @@ public:
     // All rates at once, so that each loses exactly the part sweep.strength.
     void damp(const Sweep<Real>& sweep, Workers& workers) override {
         const auto rate = [&](int k, const Vec<double>& gradient) {
-            return dot(gradient, vec(sweep.out + 4 * forest_.nodes[k].vertex));
+            return dot(gradient, three(sweep.out + 4 * forest_.nodes[k].vertex));
         };
         forTrees(workers, [&](int begin, int end) {
             load(sweep, begin, end);
@@ -97,8 +98,6 @@ public:
     double multiplier(int i) const { return lambda_[i]; }
 
 private:
-    static Vec<double> vec(const Real* p) { return {double(p[0]), double(p[1]), double(p[2])}; }
-
     // Trees share no vertex that moves.
     template <class Body>
     void forTrees(Workers& workers, const Body& body) {
@@ -116,11 +115,11 @@ private:
             TreeNode<double>& n = nodes_[k];
             const Real* const p = sweep.particles + 8 * node.vertex;
             n.w = double(p[3]);
-            n.q = sweep.air ? vec(sweep.air + 4 * node.vertex) : Vec<double>{};
+            n.q = sweep.air ? three(sweep.air + 4 * node.vertex) : Vec<double>{};
             if (node.parent < 0) continue;
             const TreeNode<double>& parent = nodes_[node.parent];
             const Real* const o = sweep.particles + 8 * forest_.nodes[node.parent].vertex;
-            const Vec<double> apart = (vec(p) - vec(o)) + (vec(p + 4) - vec(o + 4));
+            const Vec<double> apart = (three(p) - three(o)) + (three(p + 4) - three(o + 4));
             Stencil<Vec<double>, 2> gradient;
             n.c = Kind::evaluate(rows_[node.constraint], {{{}, node.end == 1 ? apart : -apart}},
                                  gradient);

@@ -1,13 +1,12 @@
 // One contact: where two touch, and the impulses across and along that part them.
 #include "../friction.h"
 #include "contact_set.h"
+#include "reals.h"
 
 #include <algorithm>
 
 namespace plait {
 namespace {
-
-double mean(double a, double b) { return 0.5 * (a + b); }
 
 // How the vertices of a contact answer impulses.
 template <class Real>

@@ -1,5 +1,6 @@
 #include "contact_set.h"
 
+#include "../../numbers/convert.h"
 #include "../../world.h"
 
 #include <algorithm>
@@ -88,9 +89,8 @@ void ContactSet<Real>::locate(const Sweep<Real>& sweep, Workers& workers) {
         for (int v = begin; v < end; ++v) {
             const Real* const p = sweep.particles + 8 * v;
             const Real* const b = sweep.before + 4 * v;
-            const Vec<double> x{double(p[0]), double(p[1]), double(p[2])};
-            start_[v] = x + Vec<double>{double(b[0]), double(b[1]), double(b[2])};
-            end_[v] = x + Vec<double>{double(p[4]), double(p[5]), double(p[6])};
+            start_[v] = three(p) + three(b);
+            end_[v] = three(p) + three(p + 4);
         }
     });
 }
@@ -107,8 +107,7 @@ PairPoints ContactSet<Real>::endOf(const Sweep<Real>& sweep, const Pairing& pair
     PairPoints x;
     for (std::size_t i = 0; i < 4; ++i) {
         const Real* const p = sweep.particles + 8 * pair.vertices[i];
-        x[i] = Vec<double>{double(p[0]), double(p[1]), double(p[2])} +
-               Vec<double>{double(p[4]), double(p[5]), double(p[6])};
+        x[i] = three(p) + three(p + 4);
     }
     return x;
 }
@@ -188,7 +187,7 @@ void ContactSet<Real>::bend(const Sweep<Real>& sweep, const State<Real>& state) 
         paths_[v] = {.start = start_[v], .end = end_[v]};
         if (!state.hasPast) continue;
         const Vec<Real> way = state.before[v].v - state.last[v].v;
-        paths_[v].gain = end_[v] - start_[v] - Vec<double>{way.x, way.y, way.z};
+        paths_[v].gain = end_[v] - start_[v] - as<double>(way);
     }
     bounces_.clear();
     for (const Contact& c : contacts_) {
@@ -205,9 +204,7 @@ void ContactSet<Real>::bend(const Sweep<Real>& sweep, const State<Real>& state) 
         if (!paths_[v].bent) continue;
         bent_.push_back(static_cast<int>(v));
         Real* const p = sweep.particles + 8 * v;
-        p[4] = static_cast<Real>(paths_[v].end.x - double(p[0]));
-        p[5] = static_cast<Real>(paths_[v].end.y - double(p[1]));
-        p[6] = static_cast<Real>(paths_[v].end.z - double(p[2]));
+        put(p + 4, paths_[v].end - three(p));
     }
 }
 
@@ -218,9 +215,8 @@ void ContactSet<Real>::rebound(State<Real>& state, Drawer<Real>& kept) const {
     for (const int v : bent_) {
         const Vec<double> kick = divide(1.0, h_) * (start_[v] - paths_[v].start);
         const Vec<Real> d = state.particles[v].d;
-        const Vec<Real> velocity = static_cast<Real>(1 / h_) * (d - state.last[v].v) +
-                                   Vec<Real>{static_cast<Real>(kick.x), static_cast<Real>(kick.y),
-                                             static_cast<Real>(kick.z)};
+        const Vec<Real> velocity =
+            static_cast<Real>(1 / h_) * (d - state.last[v].v) + as<Real>(kick);
         state.velocity[v].v = velocity;
         if (!state.lastVelocity.empty()) state.lastVelocity[v].v = velocity;
         state.last[v].v = d - static_cast<Real>(h_) * velocity;

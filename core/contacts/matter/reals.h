@@ -1,24 +1,12 @@
-// Three of the solver's numbers as a vector in double, and back.
+// What both sorts of contacts do with the solver's numbers.
 #pragma once
 
 #include "../../constraint.h"
-#include "../../numbers/math.h"
+#include "../../numbers/convert.h"
 
 #include <algorithm>
 
 namespace plait {
-
-template <class Real>
-Vec<double> three(const Real* p) {
-    return {double(p[0]), double(p[1]), double(p[2])};
-}
-
-template <class Real>
-void put(Real* p, const Vec<double>& v) {
-    p[0] = static_cast<Real>(v.x);
-    p[1] = static_cast<Real>(v.y);
-    p[2] = static_cast<Real>(v.z);
-}
 
 // Moves a vertex back to where the substep began. Returns whether it was elsewhere.
 template <class Real>

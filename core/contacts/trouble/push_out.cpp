@@ -1,6 +1,7 @@
 #include "push_out.h"
 
 #include "../../numbers/arctangent.h"
+#include "../../numbers/convert.h"
 #include "../../world.h"
 #include "../search/nearest.h"
 #include "push_out_set.h"
@@ -66,8 +67,7 @@ template <class Real>
 void PushOutSet<Real>::locate(const Sweep<Real>& sweep, Workers& workers) {
     for (std::size_t v = 0; v < x_.size(); ++v) {
         const Real* const p = sweep.particles + 8 * v;
-        x_[v] = Vec<double>{double(p[0]), double(p[1]), double(p[2])} +
-                Vec<double>{double(p[4]), double(p[5]), double(p[6])};
+        x_[v] = three(p) + three(p + 4);
     }
     Travel still{.start = x_, .end = x_, .origin = x_.front()};
     const auto fit = [&](auto& tree, int count, const auto& bound) {
@@ -154,23 +154,17 @@ long PushOutSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
 // Where it was earlier is moved along, for BDF2.
 template <class Real>
 void PushOutSet<Real>::rebound(State<Real>& state, Drawer<Real>&) const {
-    const auto narrow = [](const Vec<double>& a) {
-        return Vec<Real>{static_cast<Real>(a.x), static_cast<Real>(a.y), static_cast<Real>(a.z)};
-    };
     for (const Push& push : pushes_) {
-        state.particles[push.vertex].d += narrow(push.way);
-        if (!state.last.empty()) state.last[push.vertex].v += narrow(push.way);
+        state.particles[push.vertex].d += as<Real>(push.way);
+        if (!state.last.empty()) state.last[push.vertex].v += as<Real>(push.way);
         for (auto* array : {&state.velocity, &state.lastVelocity}) {
             if (array->empty()) continue;
-            const auto velocity = [&](int v) {
-                const Vec<Real>& a = (*array)[v].v;
-                return Vec<double>{double(a.x), double(a.y), double(a.z)};
-            };
+            const auto velocity = [&](int v) { return as<double>((*array)[v].v); };
             Vec<double> against = velocity(push.vertex);
             for (std::size_t i = 0; i < 3; ++i)
                 against -= push.weight[i] * velocity(triangles_[push.triangle][i]);
             const double approach = std::min(dot(against, push.out), 0.0);
-            (*array)[push.vertex].v -= narrow(approach * push.out);
+            (*array)[push.vertex].v -= as<Real>(approach * push.out);
         }
     }
 }

@@ -1,25 +1,14 @@
-// What a set of constraints is to a method that solves for tensions, and conversions that it needs.
+// What a set of constraints is to a method that solves for tensions.
 #pragma once
 
 #include "../../constraints/constants.h"
-#include "../../numbers/symmetric.h"
+#include "../../numbers/convert.h"
 #include "../../terms.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace plait {
-
-template <class To, class From>
-Vec<To> as(const Vec<From>& v) {
-    return {static_cast<To>(v.x), static_cast<To>(v.y), static_cast<To>(v.z)};
-}
-
-template <class To, class From>
-Symmetric<To> as(const Symmetric<From>& a) {
-    const auto to = [](From number) { return static_cast<To>(number); };
-    return {to(a.xx), to(a.xy), to(a.xz), to(a.yy), to(a.yz), to(a.zz)};
-}
 
 // From vertex a to vertex b, m.
 template <class Real>
