@@ -10,6 +10,7 @@
 #include "force.h"
 #include "schedule.h"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <span>
@@ -87,6 +88,7 @@ struct World {
     std::vector<Pins> pins;
     std::vector<Set> sets;
     std::vector<Recipe<Force>> forces;
+    double gravity = 0;  // m/s^2, the strongest that acts: how fast what rests comes to approach
     std::vector<std::string> warnings;  // values outside their sensible range, one line each [FH15]
 
     // Adds a shape and returns its vertices. Throws std::invalid_argument for a density that is not
@@ -144,6 +146,7 @@ void World::act(Options options) {
         else
             return std::make_unique<F<Real>>(world, options);
     };
+    if constexpr (requires { options.strength(); }) gravity = std::max(gravity, options.strength());
     forces.push_back(recipeOf<Force>(make));
 }
 

@@ -13,6 +13,8 @@ struct GravityOptions {
     double spaceScale = 1;                  // metres a unit: 0.01 makes gravity 100 times as strong
                                             // (M 5.1), and scales nothing else [UN1]
     std::vector<Range> ignore = {};         // objects that gravity does not move
+
+    double strength() const { return length(acceleration) / spaceScale; }  // m/s^2
 };
 
 template <class Real>

@@ -8,8 +8,6 @@
 namespace plait {
 namespace {
 
-constexpr double gravity = 9.81;  // m/s^2: what rests approaches by its step
-
 double meanEdge(const World& world, const std::vector<Surface>& surfaces) {
     double sum = 0;
     long count = 0;
@@ -59,6 +57,7 @@ ContactSet<Real>::ContactSet(const World& world, const std::vector<Surface>& sur
       start_(world.start),
       end_(world.start),
       pinned_(world.pinned),
+      gravity_(world.gravity),
       taken_(world.start.size()),
       slack_(thickest(surfaces)),
       widest_(widest(surfaces)) {
@@ -197,7 +196,7 @@ void ContactSet<Real>::bend(const Sweep<Real>& sweep, const State<Real>& state) 
         const double sliding = std::clamp(0.5 * (a.dynamicFriction + b.dynamicFriction), 0.0, 1.0);
         if (restitution > 0) bounces_.push_back({c.pair, c.gap, restitution, sliding});
     }
-    const double slow = std::max(options_.bounceThreshold, 2 * gravity * h_) * h_;
+    const double slow = std::max(options_.bounceThreshold, 2 * gravity_ * h_) * h_;
     const int limit = 16 + 4 * static_cast<int>(bounces_.size());
     counts_.bounces += bounce(bounces_, inverseMass_, paths_, slow, limit);
     for (std::size_t v = 0; v < paths_.size(); ++v) {

@@ -107,6 +107,7 @@ private:
     std::vector<Vec<double>> seen_;    // end_ when paths were last looked at; empty: not yet
     std::vector<std::uint8_t> moved_;  // by vertex: 1 if end_ is another since
     std::vector<unsigned char> pinned_;
+    double gravity_;                   // m/s^2: what rests approaches by its step
     std::vector<double> inverseMass_;  // 1/kg, in contacts
     bool bouncy_ = false;              // something has restitution
     std::vector<Bounce> bounces_;

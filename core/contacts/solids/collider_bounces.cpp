@@ -7,8 +7,7 @@
 namespace plait {
 namespace {
 
-constexpr double gravity = 9.81;  // m/s^2: what rests approaches by its step
-constexpr int grain = 256;        // vertices a thread takes at least
+constexpr int grain = 256;  // vertices a thread takes at least
 
 }  // namespace
 
@@ -17,7 +16,7 @@ constexpr int grain = 256;        // vertices a thread takes at least
 template <class Real>
 bool ColliderSet<Real>::strike(const Member& member, Path& path) const {
     const Surface& s = surfaces_[member.surface];
-    const double least = std::max(options_.bounceThreshold, 2 * gravity * h_) * h_;
+    const double least = std::max(options_.bounceThreshold, 2 * gravity_ * h_) * h_;
     const Body* first = nullptr;
     double time = 2;
     for (const Body& body : bodies_) {

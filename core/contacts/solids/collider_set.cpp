@@ -34,7 +34,7 @@ Friction frictionOf(const Surface& s, const Collider& c) {
 template <class Real>
 ColliderSet<Real>::ColliderSet(const World& world, const std::vector<Collider>& colliders,
                                const std::vector<Surface>& surfaces, const ColliderOptions& options)
-    : options_(options), surfaces_(surfaces) {
+    : options_(options), gravity_(world.gravity), surfaces_(surfaces) {
     for (const Collider& c : colliders) {
         const Placement at(c.motion ? c.motion(0) : c.frame, options.name);
         bodies_.push_back({c, at, at, {}, at, at, 0, 0});

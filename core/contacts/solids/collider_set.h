@@ -67,6 +67,7 @@ private:
     bool strike(const Member& member, Path& path) const;
 
     ColliderOptions options_;
+    double gravity_;  // m/s^2: what rests approaches by its step
     std::vector<Surface> surfaces_;
     std::vector<Body> bodies_;
     std::vector<Member> members_;  // vertices that move

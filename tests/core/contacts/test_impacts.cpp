@@ -58,6 +58,25 @@ Drop drop(double restitution, double seconds, Integrator integrator = Integrator
 
 }  // namespace
 
+// What rests comes to approach by 2 g h, and that must not bounce; where nothing pulls, nothing
+// does so, and the slowest bounces. At 240 steps a second 2 g h is 0.08 m/s on earth.
+TEST_CASE("impacts: how slow is too slow to bounce is told by the world's gravity", "[impacts]") {
+    for (const double pull : {0.0, g}) {
+        World world;
+        const Range floor = addSlope(world, 0),
+                    ball = addPoint(world, {0.3, 2 * radius + 1e-3, 0}, 1, {0, -0.05, 0});
+        world.act<Gravity>(GravityOptions{.acceleration = {0, -pull, 0}, .ignore = {ball}});
+        meet(world, {bouncy(floor, 0.5), bouncy(ball, 0.5)});
+        Solver<double> solver(world, stepping(240));
+        for (int i = 0; i < 20; ++i) solver.frame();
+        const double speed = solver.velocities()[ball.first].y;
+        if (pull == 0)
+            CHECK(report("0.05 m/s without gravity, e", std::fabs(speed / 0.025 - 1), 1e-9));
+        else
+            CHECK(std::fabs(speed) < 1e-9);
+    }
+}
+
 // Total time t0 (1 + e) / (1 - e), path h (1 + e^2) / (1 - e^2) (validation A10); both without what
 // is below 1 mm, or too slow to bounce. The height of the third bounce at e = 0.3 is 0.7 mm.
 TEST_CASE("impacts: a ball bounces as high and as long as it should, and rests", "[impacts]") {
