@@ -88,8 +88,7 @@ private:
     // body(set, its place), by order.
     template <class Body>
     void forContacts(const Body& body) const {
-        for (const int s : contacts_)
-            if (auto* set = dynamic_cast<ContactConstraint<Real>*>(sets_[s].get())) body(*set, s);
+        for (const auto& [set, place] : contactSets_) body(*set, place);
     }
     void update(bool second);
     void dampRates();
@@ -122,6 +121,7 @@ private:
     std::vector<std::uint8_t> touched_;  // by a one-sided constraint, for BDF2's fall-back
     std::vector<std::uint8_t> struck_;   // by what the method took for an impact, likewise
     std::vector<int> contacts_;          // sets, by order
+    std::vector<std::pair<ContactConstraint<Real>*, int>> contactSets_;  // those that are such
     SubstepPlan plan_;
     int column_ = 0;
     double h_;        // s, substep

@@ -204,6 +204,10 @@ void Solver<Real>::setUpSets() {
         sets_.back()->countAt(counts);
     }
     for (const auto& set : sets_) set->relaxBy(counts);
+    contactSets_.clear();
+    for (const int s : contacts_)
+        if (auto* const set = dynamic_cast<ContactConstraint<Real>*>(sets_[s].get()))
+            contactSets_.emplace_back(set, s);
     for (const Recipe<Force>& force : world_->forces)
         forces_.push_back(force.make<Real>(*world_, options_.kernels));
 }

@@ -154,7 +154,8 @@ private:
     std::vector<Color> colors_;
 };
 
-// These links strung to strands, each solved at once, in lanes.
+// These links strung to strands, each solved at once, in lanes: to those given, or, without any,
+// the straightest ways through them.
 void strand(World& world, const Rows<Stretch>& set, SetOptions options,
             bool geometricStiffness = false);
 void strand(World& world, const Rows<Stretch>& set, std::vector<Strand> strands, SetOptions options,
