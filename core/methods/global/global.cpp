@@ -1,13 +1,12 @@
 #include "global.h"
 
-#include "../../linear/multifrontal.h"
-#include "../../linear/smoothed_aggregation.h"
 #include "../../sets/link_sweeps.h"
 #include "../block/vertex_block.h"
 #include "../sweeps/nucleus.h"
 #include "../sweeps/xpbd.h"
 #include "free_islands.h"
 #include "set_roles.h"
+#include "spring_net.h"
 
 #include <memory>
 
@@ -35,30 +34,10 @@ public:
         }
         free_.find(state);
         sweeps_ = std::make_unique<LinkSweeps<Real>>(ids, padding, options.kernels);
-        const LinkBlocks<Real>& all = sweeps_->links();
-        edgeBlocks_.resize(static_cast<std::size_t>(all.size()));
-        pulls_.resize(edgeBlocks_.size() + touching_.size());
+        net_ = std::make_unique<SpringNet<Real>>(sweeps_->links(), state, options.kernels);
+        pulls_.resize(net_->edgeBlocks.size() + touching_.size());
         bore_.resize(touching_.size());
-        setUpVertices(state);
-        std::vector<int> edges;
-        for (int n = 0; n < all.size(); ++n)
-            edges.insert(edges.end(), {all.vertex(n, 0), all.vertex(n, 1)});
-        std::vector<Vec<double>> start;
-        std::vector<unsigned char> pinned;
-        for (int v = 0; v <= padding; ++v) {
-            start.push_back(state.position(v));
-            pinned.push_back(state.particles[v].w == Real(0));
-        }
-        if (padding > largestFactored) {
-            multigrid_ = std::make_unique<SmoothedAggregation>(edges, pinned);
-            solution_ =
-                static_cast<long>(multigrid_->multiplications(cycles) / multiplicationsOfALink);
-            places_.resize(start.size());
-            return;
-        }
-        factors_ = std::make_unique<Multifrontal>(start, edges, pinned,
-                                                  MultifrontalOptions{.kernels = options.kernels});
-        solution_ = static_cast<long>(factors_->multiplications() / multiplicationsOfALink);
+        goal_.resize(state.particles.size());
     }
 
     // Tensions in N, by link, then contact.
@@ -71,7 +50,7 @@ public:
         free_.noteMeans(s.state);
         readLinks(s);
         for (std::size_t i = 0; i < touching_.size(); ++i)
-            bore_[i] = s.kept.numbers[edgeBlocks_.size() + i] < 0;
+            bore_[i] = s.kept.numbers[net_->edgeBlocks.size() + i] < 0;
         for (std::size_t v = 0; v < goal_.size(); ++v) goal_[v] = s.state.particles[v].d;
         sweep(s, {.tolerance = 2e-2, .rings = 5, .sweeps = 30, .rounds = 8});
         for (int column = 0; column < s.columns; ++column) {
@@ -90,7 +69,7 @@ public:
                     std::vector<std::uint8_t>& struck) override {
         std::vector<bool> hit(struck.size(), false);
         for (std::size_t i = 0; i < touching_.size(); ++i)
-            if (!bore_[i] && kept.numbers[edgeBlocks_.size() + i] < 0)
+            if (!bore_[i] && kept.numbers[net_->edgeBlocks.size() + i] < 0)
                 hit[free_.islandOf(touching_[i])] = true;
         for (std::size_t v = 0; v < struck.size(); ++v)
             struck[v] |= hit[free_.islandOf(static_cast<int>(v))];
@@ -99,24 +78,11 @@ public:
 private:
     // k h^2 over the lighter mass of a link, to begin with.
     static constexpr double stiffest = 5e5;
-    // Vertices up to which factoring the matrix takes no longer than cycles of multigrid, and how
-    // many of these a sheet cannot tell from it: README.md has the measurements.
-    static constexpr int largestFactored = 100'000, cycles = 4;
-
     // A link as the matrix has it.
     struct Pull {
         Vec<double> direction;
         double stiffness, tension;  // k', N/m; T', N
     };
-
-    void setUpVertices(const State<Real>& state) {
-        const std::size_t vertices = state.particles.size();
-        goal_.resize(vertices);
-        right_.resize(vertices);
-        step_.resize(vertices);
-        left_.resize(vertices);
-        vertexBlocks_.resize(vertices);
-    }
 
     void readLinks(WholeSubstep<Real>& s) {
         int link = 0;
@@ -150,7 +116,7 @@ private:
     }
     // A contact takes the force that would move a lone vertex as far.
     void touch(WholeSubstep<Real>& s) {
-        Real* pressure = s.kept.numbers.data() + edgeBlocks_.size();
+        Real* pressure = s.kept.numbers.data() + net_->edgeBlocks.size();
         for (const int k : contacts_) {
             s.sets[k]->terms(s.state, false, terms_);
             for (int n = 0; n < terms_.size(); ++n, ++pressure)
@@ -177,28 +143,10 @@ private:
         work_ += s.sets[set]->size();
     }
 
-    // Finds step_. False where rounding leaves too little of it.
     bool solve(WholeSubstep<Real>& s, double ratio) {
         linearise(s, ratio);
-        for (std::size_t v = 0; v < step_.size(); ++v) step_[v] = as<float>(right_[v]);
-        work_ += solution_;
-        if (multigrid_) return approximate(s);
-        if (factors_->factorAndSolve(vertexBlocks_, edgeBlocks_, step_, s.workers).frozen > 0)
-            return false;
-        constexpr double sharp = 1.0 / 64, blurred = 1.0 / 4;
-        for (int pass = 0; pass < 3; ++pass) {
-            const double correction = refine(s, pass == 0 ? step_ : left_);
-            if (!(correction < blurred)) return false;
-            if (correction < sharp) break;
-        }
-        return true;
-    }
-
-    bool approximate(WholeSubstep<Real>& s) {
-        for (std::size_t v = 0; v < places_.size(); ++v)
-            places_[v] = s.state.position(static_cast<int>(v));
-        multigrid_->setUp(vertexBlocks_, edgeBlocks_, places_, s.workers);
-        return multigrid_->solve(step_, cycles, s.workers) < 1.0 / 4;
+        work_ += net_->work();
+        return net_->solve(s.state, s.workers);
     }
 
     void linearise(WholeSubstep<Real>& s, double ratio) {
@@ -206,8 +154,8 @@ private:
         for (std::size_t v = 0; v < goal_.size(); ++v) {
             const Particle<Real>& p = s.state.particles[v];
             const double inertia = divide(inverseH2, double(p.w));
-            vertexBlocks_[v] = Symmetric<float>::diagonal(static_cast<float>(inertia));
-            right_[v] = inertia * as<double>(goal_[v] - p.d);
+            net_->vertexBlocks[v] = Symmetric<float>::diagonal(static_cast<float>(inertia));
+            net_->right[v] = inertia * as<double>(goal_[v] - p.d);
         }
         sweeps_->links().forColors(false, s.workers, [&](int begin, int end) {
             for (int n = begin; n < end; ++n) addLink(s, n, ratio * inverseH2);
@@ -217,40 +165,13 @@ private:
         work_ += sweeps_->links().count();
     }
 
-    // With what rounding has left of the equations, in double; without, a free sheet loses 3e-4 of
-    // its momentum in 120 steps. `added`: to the step since the last time.
-    // Returns how large the correction was, as a part of the step.
-    double refine(WholeSubstep<Real>& s, const std::vector<Vec<float>>& added) {
-        const LinkBlocks<Real>& all = sweeps_->links();
-        for (std::size_t v = 0; v < step_.size(); ++v)
-            right_[v] -= as<double>(vertexBlocks_[v]) * as<double>(added[v]);
-        all.forColors(false, s.workers, [&](int begin, int end) {
-            for (int n = begin; n < end; ++n) {
-                const int a = all.vertex(n, 0), b = all.vertex(n, 1);
-                const Vec<double> d = as<double>(added[b]) - as<double>(added[a]);
-                const Vec<double> force = as<double>(edgeBlocks_[n]) * d;
-                right_[a] += force;
-                right_[b] -= force;
-            }
-        });
-        for (std::size_t v = 0; v < step_.size(); ++v) left_[v] = as<float>(right_[v]);
-        factors_->solve(left_, s.workers);
-        double error = 0, size = 0;
-        for (std::size_t v = 0; v < step_.size(); ++v) {
-            error += dot(left_[v], left_[v]);
-            size += dot(step_[v], step_[v]);
-            step_[v] += left_[v];
-        }
-        return std::sqrt(divide(error, size));
-    }
-
     // `heaviest`: k times the inverse of the lighter mass, N/m/kg.
     void addLink(const WholeSubstep<Real>& s, int n, double heaviest) {
         const State<Real>& state = s.state;
         const LinkBlocks<Real>& all = sweeps_->links();
         const int a = all.vertex(n, 0), b = all.vertex(n, 1);
         const double w = std::max(state.particles[a].w, state.particles[b].w);
-        edgeBlocks_[n] = {};
+        net_->edgeBlocks[n] = {};
         pulls_[n] = {};
         if (w == 0) return;
         const auto& link = sweeps_->row(n);
@@ -264,10 +185,10 @@ private:
         const double part = 1 / (1 + k * alpha), turning = std::max(tension, 0.0) / l;
         const Pull& pull = pulls_[n] = {u, part * k, part * (tension + k * c)};
         const double across = std::min(turning, pull.stiffness);
-        edgeBlocks_[n] = Symmetric<float>::diagonal(static_cast<float>(across));
-        edgeBlocks_[n].addOuter(static_cast<float>(pull.stiffness - across), as<float>(u));
-        right_[a] += pull.tension * u;
-        right_[b] -= pull.tension * u;
+        net_->edgeBlocks[n] = Symmetric<float>::diagonal(static_cast<float>(across));
+        net_->edgeBlocks[n].addOuter(static_cast<float>(pull.stiffness - across), as<float>(u));
+        net_->right[a] += pull.tension * u;
+        net_->right[b] -= pull.tension * u;
     }
 
     // A distance of 0 has no gradient, and holds in every direction.
@@ -282,18 +203,18 @@ private:
             const double force = stiffness * double(terms_.value[n]);
             const Vec<Real>& u = terms_.gradient[n];
             if (dot(u, u) == Real(0))
-                vertexBlocks_[v] += Symmetric<float>::diagonal(static_cast<float>(stiffness));
-            vertexBlocks_[v].addOuter(static_cast<float>(stiffness), as<float>(u));
+                net_->vertexBlocks[v] += Symmetric<float>::diagonal(static_cast<float>(stiffness));
+            net_->vertexBlocks[v].addOuter(static_cast<float>(stiffness), as<float>(u));
             if (force > 0)
-                vertexBlocks_[v].add(static_cast<float>(force),
-                                     as<float>(vertexBlock(terms_, n, 0)));
-            right_[v] -= force * as<double>(u);
+                net_->vertexBlocks[v].add(static_cast<float>(force),
+                                          as<float>(vertexBlock(terms_, n, 0)));
+            net_->right[v] -= force * as<double>(u);
         }
     }
 
     // A contact that has pushed, or is passed, counts as two-sided; what pulled then is let go.
     void addContacts(WholeSubstep<Real>& s, double heaviest) {
-        std::size_t i = edgeBlocks_.size();
+        std::size_t i = net_->edgeBlocks.size();
         for (const int k : contacts_) {
             s.sets[k]->terms(s.state, false, terms_);
             work_ += terms_.size();
@@ -306,9 +227,9 @@ private:
                 const double force = s.kept.numbers[i] + stiffness * double(terms_.value[n]);
                 if (!(force < 0)) continue;
                 pulls_[i] = {as<double>(terms_.gradient[n]), stiffness, force};
-                vertexBlocks_[v].addOuter(static_cast<float>(stiffness),
-                                          as<float>(terms_.gradient[n]));
-                right_[v] -= force * pulls_[i].direction;
+                net_->vertexBlocks[v].addOuter(static_cast<float>(stiffness),
+                                               as<float>(terms_.gradient[n]));
+                net_->right[v] -= force * pulls_[i].direction;
             }
         }
     }
@@ -316,36 +237,32 @@ private:
     void move(WholeSubstep<Real>& s) {
         const LinkBlocks<Real>& all = sweeps_->links();
         for (int n = 0; n < all.size(); ++n) {
-            const Vec<float> d = step_[all.vertex(n, 1)] - step_[all.vertex(n, 0)];
+            const Vec<float> d = net_->step[all.vertex(n, 1)] - net_->step[all.vertex(n, 0)];
             const Pull& pull = pulls_[n];
             s.kept.numbers[n] = static_cast<Real>(
                 pull.tension + pull.stiffness * dot(pull.direction, as<double>(d)));
         }
         for (std::size_t i = 0; i < touching_.size(); ++i) {
-            const Pull& pull = pulls_[edgeBlocks_.size() + i];
-            const double moved = dot(pull.direction, as<double>(step_[touching_[i]]));
-            s.kept.numbers[edgeBlocks_.size() + i] =
+            const Pull& pull = pulls_[net_->edgeBlocks.size() + i];
+            const double moved = dot(pull.direction, as<double>(net_->step[touching_[i]]));
+            s.kept.numbers[net_->edgeBlocks.size() + i] =
                 static_cast<Real>(std::min(pull.tension + pull.stiffness * moved, 0.0));
         }
-        for (std::size_t v = 0; v < step_.size(); ++v) s.state.particles[v].d += as<Real>(step_[v]);
+        for (std::size_t v = 0; v < net_->step.size(); ++v)
+            s.state.particles[v].d += as<Real>(net_->step[v]);
     }
 
     std::vector<int> links_, holds_, contacts_, swept_;  // sets
     std::vector<int> hard_;                              // those of holds_ that are rigid
     FreeIslands<Real> free_;
     std::unique_ptr<LinkSweeps<Real>> sweeps_;
-    std::unique_ptr<Multifrontal> factors_;
-    std::unique_ptr<SmoothedAggregation> multigrid_;  // in its place, of many vertices
-    std::vector<Vec<double>> places_;                 // m, by vertex; of these only
-    std::vector<Vec<Real>> goal_;                     // y, as d
-    std::vector<Vec<double>> right_;                  // N, by vertex
-    std::vector<Vec<float>> step_, left_;
-    std::vector<int> touching_;  // vertices, by contact
-    std::vector<bool> bore_;     // by contact: it pushed when the substep began
-    std::vector<Pull> pulls_;    // by link, then by contact
-    std::vector<Symmetric<float>> vertexBlocks_, edgeBlocks_;
+    std::unique_ptr<SpringNet<Real>> net_;
+    std::vector<Vec<Real>> goal_;  // y, as d
+    std::vector<int> touching_;    // vertices, by contact
+    std::vector<bool> bore_;       // by contact: it pushed when the substep began
+    std::vector<Pull> pulls_;      // by link, then by contact
     Terms<Real> terms_;
-    long solution_ = 0, work_ = 0;
+    long work_ = 0;
 };
 
 }  // namespace
