@@ -29,8 +29,8 @@ public:
     Solver(World world, const SolverOptions& options)
         : Solver(std::make_shared<const World>(std::move(world)), options) {}
 
-    // Advances by one frame. Throws Diverged if a number is not finite, and what an animation
-    // throws, with everything put back to where the frame began. Allocates nothing after the first
+    // Advances by one frame. Throws Diverged if a number is not finite, and what an animation or
+    // SolverOptions::interrupt throws, with everything put back to where the frame began. Allocates nothing after the first
     // frame, but where lists of contacts grow.
     void frame();
     // Back to the start of the run, bit for bit, with every set and force made anew [AR11].

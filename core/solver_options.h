@@ -4,6 +4,7 @@
 #include "kernels/kernels.h"
 #include "schedule.h"
 
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -53,6 +54,9 @@ struct SolverOptions {
     bool limitAcceleration = false;  // any larger change of velocity is cut to it [IN22]
     int threads = 1;
     KernelChoice kernels = bestKernels();
+    // Called over and over within a frame, on the thread that asked for it, far more often than once
+    // a second. What it throws ends the frame.
+    std::function<void()> interrupt{};
 };
 
 // A number is not finite, and `culprit`, a set or a force, was the first to make one; or `culprit`

@@ -48,6 +48,7 @@ Solver<Real>::Solver(std::shared_ptr<const World> world, const SolverOptions& op
     h_ = options.timeScale * rate.seconds / (double(rate.frames) * options.schedule.substeps);
     for (const int s : schedule_.order())
         if (world_->sets[static_cast<std::size_t>(s)].contact) contacts_.push_back(s);
+    workers_.interrupt = options.interrupt;
     setUp();
 }
 

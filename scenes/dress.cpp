@@ -10,6 +10,7 @@
 #include <plait/files/mesh_sequence.h>
 #include <plait/forces/air.h>
 #include <plait/forces/gravity.h>
+#include <plait/inspection/inspect.h>
 #include <plait/numbers/elementary.h>
 #include <plait/stencils.h>
 
@@ -37,6 +38,7 @@ struct Wearer {
     std::function<Vec<double>(double t)> followed;  // by the camera
     double seconds = 0;
     Look look;
+    std::vector<std::string> warnings = {};
 };
 
 // A layer of the skirt: a ring cut from cloth that lies flat, sewn to the waist along its inside.
@@ -194,14 +196,18 @@ Wearer ballerina() {
 // A character of the user's own, in metres, y up, on the floor y = 0.
 Wearer wearerOf(const Knobs& knobs) {
     const MeshSequence sequence(knobs.text("body"), {.frameRate = knobs.number("rate")});
+    const InspectedMesh mesh = inspect(sequence.first(), sequence.file(),
+                                       {.solid = true, .least = 0.5, .usual = 1.7, .most = 3.5});
     Wearer wearer;
-    wearer.shape = sequence.first();
+    wearer.shape = mesh.shape;
+    wearer.warnings = mesh.warnings;
     wearer.seconds = sequence.end();
     for (int t = 0; t < wearer.shape.complex.count(2); ++t)
         wearer.surface.triangles.push_back(wearer.shape.complex.triangle(t));
-    wearer.surface.positions = [sequence](double t) {
-        std::vector<Vec<double>> positions(sequence.first().positions.size());
-        sequence(t, positions);
+    wearer.surface.positions = [sequence, vertices = mesh.vertices](double t) {
+        std::vector<Vec<double>> all(sequence.first().positions.size()), positions;
+        sequence(t, all);
+        for (const int v : vertices) positions.push_back(all[v]);
         return positions;
     };
     wearer.followed = [at = wearer.surface.positions](double t) {
@@ -217,6 +223,9 @@ Wearer wearerOf(const Knobs& knobs) {
     if (!(low.y < waist && waist < high.y))
         throw std::invalid_argument("waist: it must be on the body, which reaches from " +
                                     std::to_string(low.y) + " to " + std::to_string(high.y) + " m");
+    if (std::fabs(low.y) > 0.05)
+        wearer.warnings.push_back(
+            mesh.told("it stands on y = " + std::to_string(low.y) + " m, and the floor is y = 0"));
     wearer.look.material = Material::matte;
     wearer.look.color = {0.254, 0.216, 0.188};
     return wearer;
@@ -246,6 +255,7 @@ Scene dress(const Knobs& knobs) {
     Scene scene;
     World& world = scene.world;
     const Wearer wearer = knobs.text("body").empty() ? ballerina() : wearerOf(knobs);
+    world.warnings = wearer.warnings;
     const int threads = knobs.byQuality(90, 180, 360), rings = knobs.byQuality(15, 29, 57),
               gathered = (rings - 1) / 5;
     const Layer silk{threads, rings, gathered, 0.42,           0.012,    0.09,

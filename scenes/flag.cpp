@@ -8,6 +8,7 @@
 #include <plait/files/mesh_file.h>
 #include <plait/forces/air.h>
 #include <plait/forces/gravity.h>
+#include <plait/inspection/inspect.h>
 #include <plait/numbers/elementary.h>
 #include <plait/sheets/inextensible.h>
 #include <plait/stencils.h>
@@ -76,7 +77,8 @@ Vec<double> flying(const Vec<double>& rest) {
     Vec<double> x{hoistTop.x, rest.y, rest.z};
     for (int i = 0; i < steps; ++i) {
         const double s = length * (i + 0.5) / steps;
-        const double slope = 0.35 * s * sine(2 * pi * s / 0.9 + 0.5);
+        // Never upright, however long: or the wave would run into itself.
+        const double slope = 0.35 * std::min(s, flyLength) * sine(2 * pi * s / 0.9 + 0.5);
         x += length / steps * Vec<double>{cosine(slope), 0, sine(slope)};
     }
     return x;
@@ -103,6 +105,32 @@ std::vector<int> hold(World& world, Range cloth) {
     return edgeStencils(world.complex, cloth);
 }
 
+// What no edges join to the hoist flies off.
+void warnOfLooseParts(World& world, const InspectedMesh& mesh, const std::vector<int>& hoist) {
+    const Csr ring = world.complex.oneRing();
+    std::vector<bool> isReached(mesh.vertices.size(), false);
+    const auto reach = [&](int from) {
+        std::vector<int> reached{from};
+        isReached[from] = true;
+        for (std::size_t i = 0; i < reached.size(); ++i)
+            for (const int v : ring[reached[i]]) {
+                if (!isReached[v]) reached.push_back(v);
+                isReached[v] = true;
+            }
+    };
+    for (const int v : hoist) reach(v);
+    int parts = 0, first = -1;
+    for (int v = 0; v < static_cast<int>(isReached.size()); ++v) {
+        if (isReached[v]) continue;
+        if (++parts == 1) first = v;
+        reach(v);
+    }
+    if (parts > 0)
+        world.warnings.push_back(
+            mesh.told("parts of it that no edge joins to its left edge will fly off: " +
+                      std::to_string(parts) + ", the first that of vertex " + mesh.name(first)));
+}
+
 struct Box {
     Vec<double> low, high;
 };
@@ -127,21 +155,21 @@ int tipOf(std::span<const Vec<double>> rest) {
 }
 
 // Its mesh, hoisted: the left edge at the pole, the upper one where the flag's own would be.
-Shape clothOf(const Knobs& knobs, int columns, int rows) {
+InspectedMesh clothOf(const Knobs& knobs, int columns, int rows) {
+    constexpr double least = 0.05, most = 30;  // m
     const std::string& file = knobs.text("mesh");
-    Shape shape =
-        file.empty()
-            ? grid({.columns = columns, .rows = rows, .width = flyLength, .height = hoistLength})
-            : readMesh(file);
-    if (shape.complex.count(2) == 0)
-        throw std::invalid_argument("mesh=" + file + ": no triangles in it");
-    const Box box = boxOf(shape.positions);
+    InspectedMesh mesh;
+    if (file.empty())
+        mesh.shape =
+            grid({.columns = columns, .rows = rows, .width = flyLength, .height = hoistLength});
+    else
+        mesh = inspect(readMesh(file), file, {.least = least, .usual = flyLength, .most = most});
+    const Box box = boxOf(mesh.shape.positions);
     if (!(box.high.x > box.low.x && box.high.y > box.low.y))
-        throw std::invalid_argument("mesh=" + file +
-                                    ": it must have a width and a height, x and y");
+        throw std::invalid_argument(mesh.told("it must have a width and a height, along x and y"));
     const Vec<double> corner{box.low.x, box.high.y, (box.low.z + box.high.z) / 2};
-    for (Vec<double>& x : shape.positions) x += hoistTop - corner;
-    return shape;
+    for (Vec<double>& x : mesh.shape.positions) x += hoistTop - corner;
+    return mesh;
 }
 
 View viewOf(Range cloth, std::span<const Vec<double>> rest) {
@@ -177,14 +205,16 @@ Scene flag(const Knobs& knobs) {
     World& world = scene.world;
     const bool own = knobs.text("mesh").empty();
     const int columns = knobs.byQuality(62, 126, 254), rows = knobs.byQuality(40, 80, 160);
-    const Shape shape = clothOf(knobs, columns, rows);
+    const InspectedMesh mesh = clothOf(knobs, columns, rows);
     Matter matter{.density = density};
-    for (const Vec<double>& x : shape.positions) matter.start.push_back(flying(x));
-    const Range cloth = world.add(shape, matter);
+    for (const Vec<double>& x : mesh.shape.positions) matter.start.push_back(flying(x));
+    const Range cloth = world.add(mesh.shape, matter);
+    world.warnings = mesh.warnings;
     const double nearPole = hoistTop.x + 0.005 * (boxOf(world.rest).high.x - hoistTop.x);
     const std::vector<int> hoist =
         world.select(cloth, [&](const Vec<double>& x) { return x.x < nearPole; });
     world.pin(hoist);
+    if (!own) warnOfLooseParts(world, mesh, hoist);
 
     world.act<Gravity>(GravityOptions{});
     actAir(world, {.density = 1.2,
@@ -198,7 +228,10 @@ Scene flag(const Knobs& knobs) {
             : hold(world, cloth);
 
     const bool meets = knobs.text("self-collision") == "on";
-    if (meets) meet(world, {{.vertices = cloth, .thickness = 0.001}}, {.order = 9});
+    if (meets && !own) refuseCrossing(mesh, world.start);
+    Surface surface{.vertices = cloth};
+    if (own) surface.thickness = 0.001;
+    if (meets) meet(world, {surface}, {.order = 9});
 
     // Half the strain of first order, and its energy falls as steadily
     // (tests/scenes/test_flag.cpp).

@@ -1,13 +1,27 @@
 #include "checks.h"
 
+#include "../stencils.h"
 #include "../world.h"
 
 #include <algorithm>
 #include <stdexcept>
 
 namespace plait {
+namespace {
 
-void checkSurface(World& world, const Surface& s, const std::string& set) {
+double thicknessOf(const World& world, Range vertices) {
+    constexpr double thickest = 0.001, part = 1.0 / 8;  // m; of the mean edge
+    const std::vector<int> edges = edgeStencils(world.complex, vertices);
+    if (edges.empty()) return thickest;
+    double sum = 0;
+    for (std::size_t i = 0; i < edges.size(); i += 2)
+        sum += length(world.rest[edges[i + 1]] - world.rest[edges[i]]);
+    return std::min(thickest, part * sum / (static_cast<double>(edges.size()) / 2));
+}
+
+}  // namespace
+
+Surface checked(World& world, Surface s, const std::string& set) {
     const auto refuse = [&](const std::string& what) {
         throw std::invalid_argument(set + ": " + what);
     };
@@ -15,7 +29,8 @@ void checkSurface(World& world, const Surface& s, const std::string& set) {
         refuse("a surface of vertices that are not there");
     if (!s.radii.empty() && std::ssize(s.radii) != s.vertices.size())
         refuse("one radius a vertex, or none");
-    if (!isMeasure(s.thickness) || !std::ranges::all_of(s.radii, isMeasure) ||
+    if (!s.thickness) s.thickness = thicknessOf(world, s.vertices);
+    if (!isMeasure(*s.thickness) || !std::ranges::all_of(s.radii, isMeasure) ||
         !isMeasure(s.stickiness) || !isMeasure(s.selfWidth))
         refuse("thickness, radii, stickiness and width are at least 0");
     for (const auto* flags : {&s.disableSelf, &s.disableExternal})
@@ -26,6 +41,7 @@ void checkSurface(World& world, const Surface& s, const std::string& set) {
     if (!(s.restitution >= 0 && s.restitution <= 1)) refuse("restitution is from 0 to 1");
     world.warnOutside(set + ".staticFriction", s.staticFriction, 0, 1);
     world.warnOutside(set + ".dynamicFriction", s.dynamicFriction, 0, 1);
+    return s;
 }
 
 }  // namespace plait

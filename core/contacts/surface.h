@@ -4,6 +4,7 @@
 #include "../complex/shapes.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,9 @@ enum class Self {
 // All simplices of the complex whose vertices are among these.
 struct Surface {
     Range vertices;
-    double thickness = 0.001;     // m, from a simplex to its skin: two stay the sum of theirs apart
+    // m, from a simplex to its skin: two stay the sum of theirs apart. None: 1 mm, or an eighth of
+    // the mean edge where that is less, so that neighbours do not touch as they rest.
+    std::optional<double> thickness{};
     std::vector<double> radii{};  // m, one a vertex in place of the thickness: particles [CC25]
     // Of a pair the mean counts, at most 1 (M 5.5). Below 0 it adds energy, and is warned of.
     double staticFriction = 0.1;   // tangent of the steepest slope on which something rests
@@ -78,6 +81,6 @@ struct World;
 // themselves: point and triangle, edge and edge, and particles and curves with all. Call it when
 // all matter has been added and pinned. Throws std::invalid_argument, naming the value, for one out
 // of range.
-void meet(World& world, const std::vector<Surface>& surfaces, const ContactOptions& options = {});
+void meet(World& world, std::vector<Surface> surfaces, const ContactOptions& options = {});
 
 }  // namespace plait

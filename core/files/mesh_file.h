@@ -24,6 +24,8 @@ struct MeshFileError : std::runtime_error {
 // and edge (vertex1, vertex2). Texture coordinates, normals, groups, materials and other PLY
 // elements and properties are skipped.
 //
+// What is wrong with the mesh itself is for inspection/inspect.h to say.
+//
 // Throws MeshFileError. Memory is bounded by a multiple of the file size, whatever the file
 // declares.
 Shape readMesh(const std::filesystem::path& path);

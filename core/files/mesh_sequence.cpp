@@ -76,9 +76,10 @@ std::string counts(const SimplicialComplex& complex) {
            " edges and " + std::to_string(complex.count(2)) + " triangles";
 }
 
-Shape readPattern(const fs::path& pattern, Meshes& meshes) {
+Shape readPattern(const fs::path& pattern, Meshes& meshes, fs::path& file) {
     const Numbered files = matches(pattern);
     checkNoGaps(files);
+    file = files[0].second;
     Shape first = readMesh(files[0].second);
     meshes.push_back(first.positions);
     for (std::size_t i = 1; i < files.size(); ++i) {
@@ -94,11 +95,11 @@ Shape readPattern(const fs::path& pattern, Meshes& meshes) {
 }
 
 // The mesh that a point cache goes with.
-Shape meshBeside(const fs::path& cache) {
+fs::path meshBeside(const fs::path& cache) {
     for (const char* const extension : {".obj", ".ply"}) {
         fs::path mesh = cache;
         mesh.replace_extension(extension);
-        if (fs::exists(mesh)) return readMesh(mesh);
+        if (fs::exists(mesh)) return mesh;
     }
     fail(cache, "neither an .obj nor a .ply of its name beside it");
 }
@@ -125,7 +126,7 @@ Pc2Header pc2Header(MeshBuilder& reader, std::string_view content) {
     return header;
 }
 
-Shape readPc2(const fs::path& path, Meshes& meshes, double& spacing) {
+Shape readPc2(const fs::path& path, Meshes& meshes, fs::path& file, double& spacing) {
     MeshBuilder reader{.file = path.string(), .positions = {}, .simplices = {}};
     const std::string content = contentOf(path, reader);
     reader.unit = "byte ";
@@ -138,7 +139,8 @@ Shape readPc2(const fs::path& path, Meshes& meshes, double& spacing) {
     if (room / points < samples) reader.fail("the file ends too early");
     if (content.size() != sizeof header + 12 * points * samples)
         reader.fail("more behind the last sample");
-    Shape shape = meshBeside(path);
+    file = meshBeside(path);
+    Shape shape = readMesh(file);
     if (shape.positions.size() != points)
         reader.position = 16, reader.fail(std::to_string(points) + " points, but the mesh has " +
                                           std::to_string(shape.positions.size()) + " vertices");
@@ -168,8 +170,8 @@ MeshSequence::MeshSequence(const fs::path& path, const MeshSequenceOptions& opti
     double spacing = 1;
     const bool pattern = path.filename().string().find('*') != std::string::npos;
     if (!pattern && path.extension() != ".pc2") fail(path, "neither a pattern with a * nor a .pc2");
-    first_ = std::make_shared<const Shape>(pattern ? readPattern(path, meshes)
-                                                   : readPc2(path, meshes, spacing));
+    first_ = std::make_shared<const Shape>(pattern ? readPattern(path, meshes, file_)
+                                                   : readPc2(path, meshes, file_, spacing));
     meshes_ = std::make_shared<const Meshes>(std::move(meshes));
     options_.frameRate /= spacing;
 }

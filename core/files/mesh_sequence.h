@@ -34,6 +34,7 @@ public:
                           const MeshSequenceOptions& options = {});
 
     const Shape& first() const { return *first_; }
+    const std::filesystem::path& file() const { return file_; }      // that of first()'s faces
     int count() const { return static_cast<int>(meshes_->size()); }  // meshes, 1 or more
     double end() const;                                              // s, when the last is there
 
@@ -45,6 +46,7 @@ private:
     using Meshes = std::vector<std::vector<Vec<double>>>;
 
     MeshSequenceOptions options_;
+    std::filesystem::path file_;
     std::shared_ptr<const Shape> first_;
     std::shared_ptr<const Meshes> meshes_;
 };

@@ -35,6 +35,7 @@ Workers::~Workers() {
 }
 
 void Workers::run(const Job& job) {
+    askInterrupt();
     if (pool_.empty() || job.count < 2 * job.block) {
         if (job.count > 0) job.call(job.context, 0, job.count);
         return;

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <exception>
+#include <functional>
 #include <thread>
 #include <vector>
 
@@ -18,6 +19,13 @@ public:
     Workers& operator=(const Workers&) = delete;
 
     int threads() const { return static_cast<int>(pool_.size()) + 1; }
+
+    // Called, where there is one, as every loop below begins, and by what loops long by itself. It
+    // may throw.
+    std::function<void()> interrupt;
+    void askInterrupt() const {
+        if (interrupt) interrupt();
+    }
 
     // Calls body(begin, end) for [0, count), cut at multiples of block / 16 (at least 1) into one
     // run of equal length a thread, and returns when all are done. A thread meets the same data

@@ -1,6 +1,7 @@
 #include "settings.h"
 
 #include "demos/tools/errors.h"
+#include "demos/tools/interrupt.h"
 #include "demos/tools/words.h"
 
 #include <plait/files/mesh_file.h>
@@ -179,6 +180,7 @@ Run makeRun(const Settings& settings) {
     Run run;
     run.entry = &sceneNamed(*scene);
     run.knobs = makeKnobs(*run.entry, settings);
+    const EndsAtOnce building;
     try {
         run.scene = run.entry->build(run.knobs);
     } catch (const MeshFileError& error) {

@@ -87,6 +87,8 @@ private:
 std::unique_ptr<Simulation> makeSimulation(const Run& run, int threads) {
     SolverOptions options = run.scene.options;
     options.threads = threads;
+    options.interrupt = stopIfInterrupted;
+    const EndsAtOnce building;
     try {
         if (run.precision == Precision::single)
             return std::make_unique<SimulationIn<float>>(run, options);

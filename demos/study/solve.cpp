@@ -116,12 +116,12 @@ private:
     static Solver<Real> make(const Run& run) {
         SolverOptions options = run.scene.options;
         options.threads = 1;
+        options.interrupt = stopIfInterrupted;
         return {run.scene.world, options};
     }
 
     Cost advance() {
         using Clock = std::chrono::steady_clock;
-        stopIfInterrupted();
         const double cpu = threadTime();
         const auto start = Clock::now();
         solver_.frame();
@@ -171,9 +171,10 @@ const Motions& endOfPrelude(const Study& study) {
     Motions& end = kept[study.name];
     if (end.x.empty()) {
         const Run run = studyRun(study, study.prelude);
-        Solver<double> solver(run.scene.world, run.scene.options);
+        SolverOptions options = run.scene.options;
+        options.interrupt = stopIfInterrupted;
+        Solver<double> solver(run.scene.world, options);
         for (int f = 0; f < run.frames(); ++f) {
-            stopIfInterrupted();
             solver.frame();
             frameSolved();
         }

@@ -2,14 +2,26 @@
 
 #include "errors.h"
 
+#include <unistd.h>
+
+#include <atomic>
 #include <csignal>
 
 namespace plait {
 namespace {
 
 volatile std::sig_atomic_t signalled = 0;
+std::atomic<int> endsAtOnce = 0;
 
-void note(int) { signalled = 1; }
+void note(int) {
+    if (endsAtOnce > 0) {
+        constexpr char line[] = "plait: interrupted\n";
+        // Nothing is left to do about a line that cannot be written.
+        [[maybe_unused]] const auto written = write(STDERR_FILENO, line, sizeof line - 1);
+        _exit(exitInterrupted);
+    }
+    signalled = 1;
+}
 
 }  // namespace
 
@@ -26,5 +38,12 @@ bool interrupted() { return signalled != 0; }
 void stopIfInterrupted() {
     if (interrupted()) throw Interrupted("interrupted");
 }
+
+EndsAtOnce::EndsAtOnce() {
+    stopIfInterrupted();
+    ++endsAtOnce;
+}
+
+EndsAtOnce::~EndsAtOnce() { --endsAtOnce; }
 
 }  // namespace plait

@@ -1,5 +1,5 @@
-// SIGINT and SIGTERM ask a run to stop between two frames; a second one ends the program at once,
-// which `--resume` survives as well.
+// SIGINT and SIGTERM ask a run to stop, which it does within a second; a second one ends the program
+// at once, which `--resume` survives as well.
 #pragma once
 
 namespace plait {
@@ -9,5 +9,15 @@ bool interrupted();
 
 // Throws Interrupted if a signal came.
 void stopIfInterrupted();
+
+// While one lives, a signal ends the program at once: where something is built, of which nothing
+// could be kept.
+class EndsAtOnce {
+public:
+    EndsAtOnce();
+    ~EndsAtOnce();
+    EndsAtOnce(const EndsAtOnce&) = delete;
+    EndsAtOnce& operator=(const EndsAtOnce&) = delete;
+};
 
 }  // namespace plait

@@ -24,7 +24,7 @@ double meanEdge(const World& world, const std::vector<Surface>& surfaces) {
 }
 
 double thickest(const Surface& s) {
-    double most = s.thickness;
+    double most = s.thickness.value();
     for (const double r : s.radii) most = std::max(most, r);
     return most;
 }

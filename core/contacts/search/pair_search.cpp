@@ -16,7 +16,8 @@ PairSearch::PairSearch(const SimplicialComplex& complex, std::vector<Surface> su
         const Surface& of = surfaces_[s];
         for (int v = of.vertices.first; v < of.vertices.last; ++v) {
             surface_[v] = static_cast<int>(s);
-            thickness_[v] = of.radii.empty() ? of.thickness : of.radii[v - of.vertices.first];
+            thickness_[v] =
+                of.radii.empty() ? of.thickness.value() : of.radii[v - of.vertices.first];
             members_.push_back(v);
         }
     }

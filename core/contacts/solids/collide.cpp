@@ -24,13 +24,13 @@ void check(World& world, const Collider& c, const std::string& set) {
 
 }  // namespace
 
-void collide(World& world, const std::vector<Collider>& colliders,
-             const std::vector<Surface>& surfaces, const ColliderOptions& options) {
+void collide(World& world, const std::vector<Collider>& colliders, std::vector<Surface> surfaces,
+             const ColliderOptions& options) {
     if (!isMeasure(options.recovery) || !isMeasure(options.bounceThreshold))
         throw std::invalid_argument(options.name + ": recovery and threshold are at least 0");
     std::vector<Range> taken;
-    for (const Surface& s : surfaces) {
-        checkSurface(world, s, options.name);
+    for (Surface& s : surfaces) {
+        s = checked(world, s, options.name);
         for (const Range& r : taken)
             if (s.vertices.first < r.last && r.first < s.vertices.last)
                 throw std::invalid_argument(options.name + ": a vertex of two surfaces");

@@ -40,7 +40,7 @@ struct World;
 // the thickness gives way; and where matter meets matter too, neither has the last word: what one
 // would push through the other stays where the substep began. Throws std::invalid_argument, naming
 // the value, for one out of range; so does a frame of the solver if a motion gives no frame.
-void collide(World& world, const std::vector<Collider>& colliders,
-             const std::vector<Surface>& surfaces, const ColliderOptions& options = {});
+void collide(World& world, const std::vector<Collider>& colliders, std::vector<Surface> surfaces,
+             const ColliderOptions& options = {});
 
 }  // namespace plait

@@ -44,8 +44,8 @@ ColliderSet<Real>::ColliderSet(const World& world, const std::vector<Collider>& 
     for (std::size_t s = 0; s < surfaces.size(); ++s)
         for (int v = surfaces[s].vertices.first; v < surfaces[s].vertices.last; ++v) {
             const auto& radii = surfaces[s].radii;
-            const double radius =
-                radii.empty() ? surfaces[s].thickness : radii[v - surfaces[s].vertices.first];
+            const double radius = radii.empty() ? surfaces[s].thickness.value()
+                                                : radii[v - surfaces[s].vertices.first];
             if (!world.pinned[v]) members_.push_back({v, static_cast<int>(s), radius});
         }
     rows_.resize(members_.size() * bodies_.size());

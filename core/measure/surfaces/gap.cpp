@@ -49,12 +49,15 @@ Box grown(const Box& box, double by) {
 }
 
 // Lowers `gap` to the least distance of two items that are not joined, where that is less.
-template <class Joined, class Distance>
-void lower(double& gap, std::span<const Box> queries, const BoxTree& tree, const Joined& joined,
-           const Distance& distance) {
+// `verticesOf` gives one of each.
+template <class Joined, class Distance, class VerticesOf>
+void lower(Gap& gap, std::span<const Box> queries, const BoxTree& tree, const Joined& joined,
+           const Distance& distance, const VerticesOf& verticesOf) {
     for (int i = 0; i < static_cast<int>(queries.size()); ++i)
-        tree.overlaps(grown(queries[static_cast<std::size_t>(i)], gap), [&](int j) {
-            if (!joined(i, j)) gap = std::min(gap, distance(i, j));
+        tree.overlaps(grown(queries[static_cast<std::size_t>(i)], gap.distance), [&](int j) {
+            if (joined(i, j)) return;
+            const double d = distance(i, j);
+            if (d < gap.distance) gap = {d, verticesOf(i, j)};
         });
 }
 
@@ -65,6 +68,11 @@ double leastGap(std::span<const Point> positions, std::span<const std::array<int
     if (!(within >= 0) || !std::isfinite(within))
         throw std::invalid_argument("a gap is sought within a distance of 0 or more");
     if (countIntersections(positions, triangles) > 0) return 0;
+    return nearest(positions, triangles, within).distance;
+}
+
+Gap nearest(std::span<const Point> positions, std::span<const std::array<int, 3>> triangles,
+            double within) {
     const auto at = [&](int v) -> const Point& { return positions[static_cast<std::size_t>(v)]; };
     const std::vector<std::array<int, 2>> edges = edgesOf(triangles);
     std::vector<Box> points, sides, faces;
@@ -78,7 +86,7 @@ double leastGap(std::span<const Point> positions, std::span<const std::array<int
     for (const int v : vertices) points.push_back({at(v), at(v)});
     for (const auto& [a, b] : edges) sides.push_back(boxOf(std::array{at(a), at(b)}));
 
-    double gap = within;
+    Gap gap{within, {-1, -1}};
     const auto vertex = [&](int i) { return vertices[static_cast<std::size_t>(i)]; };
     const auto edge = [&](int i) { return edges[static_cast<std::size_t>(i)]; };
     const auto face = [&](int i) { return triangles[static_cast<std::size_t>(i)]; };
@@ -91,7 +99,8 @@ double leastGap(std::span<const Point> positions, std::span<const std::array<int
         [&](int v, int t) {
             const auto [a, b, c] = face(t);
             return toTriangle(at(vertex(v)), at(a), at(b), at(c));
-        });
+        },
+        [&](int v, int t) { return std::array{vertex(v), face(t)[0]}; });
     lower(
         gap, sides, BoxTree(sides),
         [&](int e, int f) {
@@ -103,7 +112,8 @@ double leastGap(std::span<const Point> positions, std::span<const std::array<int
             const auto [a, b] = edge(e);
             const auto [c, d] = edge(f);
             return betweenEdges(at(a), at(b), at(c), at(d));
-        });
+        },
+        [&](int e, int f) { return std::array{edge(e)[0], edge(f)[0]}; });
     return gap;
 }
 

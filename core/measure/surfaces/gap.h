@@ -19,4 +19,12 @@ namespace plait {
 double leastGap(std::span<const Vec<double>> positions,
                 std::span<const std::array<int, 3>> triangles, double within);
 
+struct Gap {
+    double distance;              // m
+    std::array<int, 2> vertices;  // one of each of the two; none where nothing is nearer
+};
+// The same, and where; only of a mesh that does not intersect itself.
+Gap nearest(std::span<const Vec<double>> positions, std::span<const std::array<int, 3>> triangles,
+            double within);
+
 }  // namespace plait

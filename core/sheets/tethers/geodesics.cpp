@@ -70,9 +70,9 @@ Geodesics::Geodesics(const SimplicialComplex& complex, Range range,
             if (sides_[e].empty() || sides_[e].size() > 2) bends_[v[end]] = true;
             if (sides_[e].size() == 1) ++rim[v[end]];
         }
-        for (const int entry : sides_[e])
-            for (const int other : sides_[e])
-                if (other != entry) across.push_back({entry, other});
+        if (sides_[e].size() != 2) continue;
+        across.push_back({sides_[e][0], sides_[e][1]});
+        across.push_back({sides_[e][1], sides_[e][0]});
     }
     for (std::size_t v = 0; v < rest.size(); ++v)
         if (angle[v] > (rim[v] ? pi : 2 * pi) + flat || rim[v] > 2) bends_[v] = true;

@@ -7,7 +7,9 @@
 // and Han 1990), nearest first; what vertices know already puts those out that cannot help (Xin and
 // Wang 2009), and where the surface is flat around a vertex, the two halves of a window that it has
 // split are joined again behind it, so that a flat sheet of N vertices costs N log N. A window put
-// out too much only makes a way longer: a length is always that of a way there is, to 1e-9.
+// out too much only makes a way longer: a length is always that of a way there is, to 1e-9. So an
+// edge of three triangles and more is crossed at its ends alone: light would be parted at each,
+// over and over, and windows grow without bound.
 #pragma once
 
 #include "../../complex/complex.h"
@@ -62,7 +64,7 @@ private:
     };
 
     std::vector<Entry> entries_;
-    Csr beyond_;                // by entry: the entries of other triangles across the same side
+    Csr beyond_;                // by entry: that of the other triangle across the same side
     Csr corners_;               // by vertex: entries whose apex it is
     Csr edges_;                 // by vertex: into steps_
     Csr sides_;                 // by edge of the complex: entries across it

@@ -62,7 +62,7 @@ void Geodesics::Light::leave(int vertex) {
     }
 }
 
-// Out across a side of a triangle, into whatever triangles lie beyond.
+// Out across a side of a triangle, into what lies beyond.
 void Geodesics::Light::send(int out, const Beam& beam) {
     const Entry& e = surface_.entries_[out];
     for (const int in : surface_.beyond_[out]) {

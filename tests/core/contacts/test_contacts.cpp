@@ -271,3 +271,28 @@ TEST_CASE("contacts: what touches next to pinned vertices flings nothing away", 
     CHECK(report("way of the free vertex, m",
                  length(solver.positions()[2] - Vec<double>{0.5, 0, 1}), 0.1));
 }
+
+// [CC15] Cells of 2 mm: a thickness of 1 mm to either side would have every vertex touch the
+// triangles beyond the next edge, and push them away.
+TEST_CASE("contacts: what was given no thickness does not touch itself as it rests",
+          "[contacts][strangers]") {
+    for (const double cell : {0.0005, 0.002, 0.03}) {
+        World world;
+        const Range sheet =
+            world.add(grid({.columns = 9, .rows = 9, .width = 8 * cell, .height = 8 * cell}));
+        world.constrain(linksOf(world), {.name = "links"});
+        meet(world, {{.vertices = sheet}});
+        Solver<double> solver(world, meeting(10));
+        solver.frame();
+        CHECK(solver.positions() == world.start);
+    }
+    // And what lands is held off by the sum of both: 1 mm each, where cells are large.
+    World world;
+    const Range floor = addSlope(world, 0);
+    const Range ball = world.add({SimplicialComplex(1), {{0.1, 0.01, 0.1}}});
+    world.act<Gravity>(GravityOptions{});
+    meet(world, {{.vertices = floor}, {.vertices = ball}});
+    Solver<double> solver(world, meeting(10));
+    for (int frame = 0; frame < 24; ++frame) solver.frame();
+    CHECK(solver.positions()[static_cast<std::size_t>(ball.first)].y == Approx(0.002).margin(1e-6));
+}

@@ -6,6 +6,7 @@
 
 #include <plait/complex/shapes.h>
 #include <plait/sheets/tethers/geodesics.h>
+#include <plait/sheets/tethers/tethers.h>
 
 #include <algorithm>
 #include <array>
@@ -207,5 +208,37 @@ TEST_CASE("geodesics: what brute force comes down to on hills", "[geodesics]") {
         }
         note("brute force with 6 points an edge, too long by", over[0]);
         CHECK(report("with 24", over[1], over[0] / 4));
+    }
+}
+
+// Every inner edge has four triangles: light that was parted at each would need some 2^n windows.
+TEST_CASE("geodesics: a sheet with two sides costs little more than one",
+          "[geodesics][strangers]") {
+    for (const int n : {12, 24}) {
+        Random random(2);
+        const Surface one = patch(n, random);
+        Simplices both;
+        for (int t = 0; t < one.complex.count(2); ++t)
+            both.triangles.push_back(one.complex.triangle(t));
+        for (int v = 0; v + n + 1 < n * n; ++v) {
+            if (v % n == n - 1) continue;
+            const std::array<int, 4> q{v, v + n, v + n + 1, v + 1};
+            const int k = random.below(2);
+            both.triangles.push_back({q[k], q[k + 1], q[k + 2]});
+            both.triangles.push_back({q[k], q[k + 2], q[(k + 3) % 4]});
+        }
+        const SimplicialComplex two(n * n, both);
+        std::vector<int> hoist;
+        for (int v = 0; v < n * n; v += n) hoist.push_back(v);
+        const TetherPlan plan(two, {0, n * n}, one.rest, hoist);
+        CHECK(report("looked at by vertex", double(plan.visited()) / (n * n), 20));
+        const Tethers tethers = plan.tethers();
+        REQUIRE(tethers.anchors.size() == static_cast<std::size_t>(n * (n - 1)));
+        for (std::size_t i = 0; i < tethers.anchors.size(); ++i) {
+            const Vec<double>& x = one.rest[tethers.set.ids[i]];
+            // At most along the edges, which in a square is sqrt 2 further.
+            CHECK(tethers.set.rows[i].length >= x.x * (1 - 1e-9));
+            CHECK(tethers.set.rows[i].length <= 1.5 * x.x);
+        }
     }
 }

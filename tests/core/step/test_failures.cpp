@@ -250,3 +250,41 @@ TEST_CASE("failures: what makes no sense is refused by name", "[failures]") {
     CHECK_THROWS_AS(solver.setPast(here, nowhere), std::invalid_argument);
     CHECK_NOTHROW(solver.hash());
 }
+
+// Wherever in a frame it comes: in predictions, sweeps, searches and rounds of contacts.
+TEST_CASE("failures: an interrupt within a frame leaves it as it began", "[failures][strangers]") {
+    World world;
+    const Range floor =
+        world.add(grid({.columns = 3, .rows = 3}, {.origin = {0, 0, 1}, .up = {0, 0, -1}}));
+    world.pin(pointStencils(floor));
+    const Range sheet =
+        world.add(grid({.columns = 8, .rows = 8}, {.origin = {0, 0.004, 1}, .up = {0, 0, -1}}));
+    world.constrain(restRows<Stretch>(edgeStencils(world.complex, sheet), world.rest),
+                    {.name = "links"});
+    world.act<Gravity>(GravityOptions{});
+    meet(world, {{.vertices = floor}, {.vertices = sheet}});
+    struct Enough {};
+    SolverOptions options = tenSubsteps;
+    long calls = 0, last = -1;
+    options.interrupt = [&] {
+        if (++calls == last) throw Enough();
+    };
+    Solver<float> whole(world, tenSubsteps), broken(world, options);
+    for (int frame = 0; frame < 3; ++frame) {
+        whole.frame();
+        if (frame == 0) {
+            Solver<float>(world, options).frame();
+            REQUIRE(calls > 10 * 6);  // several times a substep
+        }
+        const long most = calls;
+        for (const long at : {1L, most / 3, most / 2, most - 1}) {
+            calls = 0, last = at;
+            const auto before = broken.hash();
+            CHECK_THROWS_AS(broken.frame(), Enough);
+            CHECK(broken.hash() == before);
+        }
+        calls = 0, last = -1;
+        broken.frame();
+        CHECK(broken.hash() == whole.hash());
+    }
+}
