@@ -15,14 +15,22 @@ struct MeshFileError : std::runtime_error {
 };
 
 // Reads a Wavefront OBJ or a PLY file (ascii or binary of either byte order), told apart by the
-// extension. Units are the file's.
+// extension, in small letters or capitals. Units are the file's.
 //
-// Vertices keep their order, used or not. A face a b c d ... becomes the fan (a, b, c), (a, c, d),
-// ...: quads are split to the left, along their first diagonal (M 4.3). From OBJ also `l` lines as
-// edges (a closed line may end where it began) and negative indices; `p` adds nothing, since every
-// vertex is a point. From PLY the elements vertex (x, y, z), face (vertex_indices or vertex_index)
-// and edge (vertex1, vertex2). Texture coordinates, normals, groups, materials and other PLY
-// elements and properties are skipped.
+// Text may begin with UTF-8's byte order mark, and its lines end in LF, CR LF or CR; words beyond
+// ASCII may stand in comments and names. UTF-16 is refused.
+//
+// Vertices keep their order, used or not. A quad a b c d is split along its first diagonal, a c
+// (M 4.3), if it is convex; other polygons by their shape, seen along their normal, whichever way
+// they turn. One that crosses itself is refused.
+//
+// From OBJ also `l` lines as edges (a closed line may end where it began) and negative indices; `p`
+// adds nothing, since every vertex is a point; what follows a vertex's x y z (w, colours) is
+// skipped. A backslash joins a line to the next, blanks behind it or not. From PLY the elements
+// vertex (x, y, z), face and tristrips (vertex_indices or vertex_index; -1 parts strips) and edge
+// (vertex1, vertex2); in ascii, lines may end wherever values do. Texture coordinates, normals,
+// groups, materials and other PLY elements and properties are skipped; free-form geometry in OBJ,
+// and other elements of PLY with vertex_indices, are refused by name.
 //
 // What is wrong with the mesh itself is for inspection/inspect.h to say.
 //

@@ -19,21 +19,18 @@ constexpr std::array<std::string_view, 17> skipped{
 
 class ObjReader {
 public:
-    ObjReader(const std::string& file, std::string_view content) : content_(content) {
-        mesh_.file = file;
-    }
+    ObjReader(MeshBuilder& mesh, std::string_view text) : mesh_(mesh), text_(text) {}
 
-    Shape read() {
+    void read() {
         forEachStatement([&](const Words& words) { readVertex(words); });
         forEachStatement([&](const Words& words) { readElement(words); });
-        return mesh_.finished();
     }
 
 private:
-    // A statement is a line, or several when all but the last end in a backslash.
+    // A statement is a line, or several when all but the last end in a backslash and blanks.
     template <class Visit>
     void forEachStatement(const Visit& visit) {
-        std::string_view rest = content_;
+        std::string_view rest = text_;
         std::size_t lines = 0;
         Words words;
         while (!rest.empty()) {
@@ -43,7 +40,10 @@ private:
             while (continues && !rest.empty()) {
                 ++lines;
                 std::string_view line = takeLine(rest);
+                if (line.find('\0') != std::string_view::npos)
+                    mesh_.fail("a zero byte: binary or UTF-16, not plain text");
                 line = line.substr(0, line.find('#'));
+                line = line.substr(0, line.find_last_not_of(blanks) + 1);
                 continues = line.ends_with('\\');
                 if (continues) line.remove_suffix(1);
                 splitWords(line, words);
@@ -94,15 +94,15 @@ private:
         return vertices;
     }
 
-    std::string_view content_;
+    MeshBuilder& mesh_;
+    std::string_view text_;
     long long seen_ = 0;  // vertices above the statement
-    MeshBuilder mesh_;
 };
 
 }  // namespace
 
-Shape readObj(const std::string& file, std::string_view content) {
-    return ObjReader(file, content).read();
+void readObj(MeshBuilder& mesh, std::string_view content) {
+    ObjReader(mesh, textOf(content, mesh)).read();
 }
 
 }  // namespace plait

@@ -14,21 +14,22 @@ namespace {
 
 using Type = PlyHeader::Type;
 
-// Values as words, each instance of an element on a line of its own.
+// Values as words, on as many lines as they like.
 class AsciiBody {
 public:
     AsciiBody(MeshBuilder& mesh, std::string_view rest) : mesh_(mesh), rest_(rest) {}
 
     void begin() {
-        if (!nextLine()) mesh_.fail("the file ends too early");
-    }
-
-    void end() {
-        if (next_ < words_.size()) mesh_.fail("too many values");
+        if (next_ < words_.size()) noteLine();
+        within_ = false;
     }
 
     std::string_view skip(Type) {
-        if (next_ == words_.size()) mesh_.fail("too few values");
+        if (next_ == words_.size()) {
+            if (within_) noteLine();
+            if (!nextLine()) mesh_.fail("the file ends too early");
+        }
+        within_ = true;
         return words_[next_++];
     }
 
@@ -38,9 +39,17 @@ public:
                                               : static_cast<double>(mesh_.integer(word));
     }
 
-    bool atEnd() { return !nextLine(); }
+    bool atEnd() { return next_ == words_.size() && !nextLine(); }
 
 private:
+    // Most files have a line for each instance of an element. Where that ends is where a value is
+    // missing or too many, if the file is refused later on.
+    void noteLine() {
+        if (mesh_.note.empty())
+            mesh_.note =
+                " (elements and lines part at line " + std::to_string(mesh_.position) + ")";
+    }
+
     bool nextLine() {
         words_.clear();
         next_ = 0;
@@ -55,6 +64,7 @@ private:
     std::string_view rest_;
     std::vector<std::string_view> words_;
     std::size_t next_ = 0;
+    bool within_ = false;  // an element
 };
 
 // Values as bytes, end to end.
@@ -67,7 +77,6 @@ public:
     }
 
     void begin() {}
-    void end() {}
 
     std::string_view skip(Type type) {
         mesh_.position = next_;
@@ -118,7 +127,6 @@ public:
             for (long long i = 0; i < element.count; ++i) {
                 body_.begin();
                 readOne(element);
-                body_.end();
             }
         }
         if (!body_.atEnd()) mesh_.fail("more behind the last element");
@@ -137,10 +145,7 @@ private:
                     continue;
                 }
                 const double value = body_.value(property.type);
-                if (element.name == "vertex" ? !std::isfinite(value)
-                                             : !(value >= 0 && value < vertexCount_))
-                    mesh_.fail(element.name == "vertex" ? "a coordinate that is not finite"
-                                                        : "a vertex index out of range");
+                check(element, value);
                 if (property.slot == PlyHeader::corners)
                     corners_.push_back(static_cast<int>(value));
                 else
@@ -149,8 +154,17 @@ private:
         }
         if (element.name == "vertex") mesh_.positions.push_back({slots[0], slots[1], slots[2]});
         if (element.name == "face") mesh_.addFace(corners_);
+        if (element.name == "tristrips") mesh_.addStrips(corners_);
         if (element.name == "edge")
             mesh_.addEdge(static_cast<int>(slots[0]), static_cast<int>(slots[1]));
+    }
+
+    void check(const PlyHeader::Element& element, double value) const {
+        const bool partsStrips = element.name == "tristrips" && value == -1;
+        if (element.name == "vertex" && !std::isfinite(value))
+            mesh_.fail("a coordinate that is not finite");
+        if (element.name != "vertex" && !(value >= 0 && value < vertexCount_) && !partsStrips)
+            mesh_.fail("a vertex index out of range");
     }
 
     MeshBuilder& mesh_;
@@ -162,9 +176,9 @@ private:
 
 }  // namespace
 
-Shape readPly(const std::string& file, std::string_view content) {
-    MeshBuilder mesh{.file = file, .positions = {}, .simplices = {}};
-    std::string_view rest = content;
+void readPly(MeshBuilder& mesh, std::string_view content) {
+    std::string_view rest = textOf(content, mesh);
+    mesh.position = 0;
     const PlyHeader header = readPlyHeader(mesh, rest);
     if (header.format == PlyHeader::Format::Ascii) {
         ElementReader(mesh, header, AsciiBody(mesh, rest)).read();
@@ -173,7 +187,7 @@ Shape readPly(const std::string& file, std::string_view content) {
         BinaryBody body(mesh, content, content.size() - rest.size(), bigEndian);
         ElementReader(mesh, header, body).read();
     }
-    return mesh.finished();
+    mesh.note.clear();
 }
 
 }  // namespace plait

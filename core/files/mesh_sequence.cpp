@@ -5,13 +5,14 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <ranges>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include "../numbers/finite.h"
 #include "mesh_reader.h"
+#include "numbered_files.h"
 
 namespace plait {
 namespace {
@@ -21,87 +22,39 @@ using Meshes = std::vector<std::vector<Vec<double>>>;
 
 static_assert(std::endian::native == std::endian::little, "PC2 is read as it lies in memory");
 
-[[noreturn]] void fail(const fs::path& path, const std::string& cause) {
-    MeshBuilder{.file = path.string(), .positions = {}, .simplices = {}}.fail(cause);
-}
-
-// The last run of digits in `text`, at most 18 of them; -1 for none.
-long long lastNumber(const std::string& text) {
-    const std::size_t end = text.find_last_of("0123456789");
-    if (end == std::string::npos) return -1;
-    const std::size_t before = text.find_last_not_of("0123456789", end);
-    const std::size_t begin = before == std::string::npos ? 0 : before + 1;
-    return end - begin < 18 ? std::stoll(text.substr(begin, end - begin + 1)) : -1;
-}
-
-using Numbered = std::vector<std::pair<long long, fs::path>>;
-
-Numbered matches(const fs::path& pattern) {
-    const std::string name = pattern.filename().string();
-    const std::size_t star = name.find('*');
-    if (name.find('*', star + 1) != std::string::npos) fail(pattern, "more than one *");
-    const std::string before = name.substr(0, star), after = name.substr(star + 1);
-    const fs::path folder = pattern.has_parent_path() ? pattern.parent_path() : ".";
-    Numbered found;
-    std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        const std::string file = entry->path().filename().string();
-        if (file.size() < name.size() - 1 || !file.starts_with(before) || !file.ends_with(after))
-            continue;
-        const long long number =
-            lastNumber(file.substr(before.size(), file.size() - name.size() + 1));
-        if (number < 0) fail(entry->path(), "no number where the * is");
-        found.emplace_back(number, entry->path());
-    }
-    if (error) fail(pattern, "the folder cannot be read");
-    if (found.empty()) fail(pattern, "no file matches");
-    std::sort(found.begin(), found.end());
-    return found;
-}
-
-void checkNoGaps(const Numbered& files) {
-    for (std::size_t i = 1; i < files.size(); ++i) {
-        if (files[i].first == files[i - 1].first)
-            fail(files[i].second, "the same number as " + files[i - 1].second.string());
-        const long long step = files[1].first - files[0].first;
-        if (files[i].first != files[i - 1].first + step)
-            fail(files[i].second, "no file of number " + std::to_string(files[i - 1].first + step) +
-                                      " before this one");
-    }
-}
-
 std::string counts(const SimplicialComplex& complex) {
     return std::to_string(complex.count(0)) + " vertices, " + std::to_string(complex.count(1)) +
            " edges and " + std::to_string(complex.count(2)) + " triangles";
 }
 
 Shape readPattern(const fs::path& pattern, Meshes& meshes, fs::path& file) {
-    const Numbered files = matches(pattern);
-    checkNoGaps(files);
+    const NumberedFiles files = filesOf(pattern);
     file = files[0].second;
-    Shape first = readMesh(files[0].second);
-    meshes.push_back(first.positions);
+    MeshBuilder first = gatherMesh(file);
+    const SimplicialComplex faces = first.fans();
+    Shape shape = first.finished();  // polygons are split as they are in the first mesh
+    meshes.push_back(shape.positions);
     for (std::size_t i = 1; i < files.size(); ++i) {
-        Shape shape = readMesh(files[i].second);
-        const std::string here = counts(shape.complex), there = counts(first.complex);
+        const auto& [number, path] = files[i];
+        MeshBuilder mesh = gatherMesh(path);
+        const SimplicialComplex others = mesh.fans();
+        const std::string here = counts(others), there = counts(faces);
         if (here != there)
-            fail(files[i].second, here + ", but " + files[0].second.string() + " has " + there);
-        if (shape.complex != first.complex)
-            fail(files[i].second, "its faces differ from those of " + files[0].second.string());
-        meshes.push_back(std::move(shape.positions));
+            failAsWhole(path, here + ", but " + files[0].second.string() + " has " + there);
+        if (others != faces)
+            failAsWhole(path, "its faces differ from those of " + files[0].second.string());
+        meshes.push_back(std::move(mesh.positions));
     }
-    return first;
+    return shape;
 }
 
 // The mesh that a point cache goes with.
 fs::path meshBeside(const fs::path& cache) {
-    for (const char* const extension : {".obj", ".ply"}) {
-        fs::path mesh = cache;
-        mesh.replace_extension(extension);
-        if (fs::exists(mesh)) return mesh;
-    }
-    fail(cache, "neither an .obj nor a .ply of its name beside it");
+    const std::vector<fs::path> paths = pathsBeside(cache);
+    for (const char* const extension : {".obj", ".ply"})
+        for (const fs::path& path : std::views::reverse(paths))  // capitals sort first
+            if (path.stem() == cache.stem() && extensionOf(path) == extension) return path;
+    failAsWhole(cache, "neither an .obj nor a .ply of its name beside it");
 }
 
 // "POINTCACHE2" and a zero; int32 version and points; float first frame and frames between samples;
@@ -127,8 +80,9 @@ Pc2Header pc2Header(MeshBuilder& reader, std::string_view content) {
 }
 
 Shape readPc2(const fs::path& path, Meshes& meshes, fs::path& file, double& spacing) {
-    MeshBuilder reader{.file = path.string(), .positions = {}, .simplices = {}};
-    const std::string content = contentOf(path, reader);
+    MeshBuilder reader;
+    reader.file = path.string();
+    const std::string content = contentOf(path);
     reader.unit = "byte ";
     const Pc2Header header = pc2Header(reader, content);
     spacing = double{header.spacing};
@@ -169,7 +123,8 @@ MeshSequence::MeshSequence(const fs::path& path, const MeshSequenceOptions& opti
     Meshes meshes;
     double spacing = 1;
     const bool pattern = path.filename().string().find('*') != std::string::npos;
-    if (!pattern && path.extension() != ".pc2") fail(path, "neither a pattern with a * nor a .pc2");
+    if (!pattern && extensionOf(path) != ".pc2")
+        failAsWhole(path, "neither a pattern with a * nor a .pc2");
     first_ = std::make_shared<const Shape>(pattern ? readPattern(path, meshes, file_)
                                                    : readPc2(path, meshes, file_, spacing));
     meshes_ = std::make_shared<const Meshes>(std::move(meshes));

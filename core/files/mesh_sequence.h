@@ -22,11 +22,16 @@ class MeshSequence {
 public:
     // Reads `path`, which is one of two:
     //
-    // A pattern with one `*` in the name of the files, OBJ or PLY: all that match, by the last
-    // number in what stands for the `*`. Numbers may start and step as they like, but with no gap.
+    // A pattern with one `*` in the name of the files, OBJ or PLY: all that match as in a shell (no
+    // hidden files but for a pattern that begins with a dot), by the last number in what stands for
+    // the `*`. A minus right before the number is its sign, unless a letter or a digit stands right
+    // before the minus: body.-0001 and body--0001 are -1, body-0001 is 1. Files with such a dash
+    // beside files with none there are refused. Numbers may start and step as they like, but with
+    // no gap. Polygons are split in all files as in the first.
     //
-    // A PC2 file (point cache 2, as `--export pc2` writes it) beside an OBJ or PLY of the same name
-    // that holds the faces. Samples count by its rate in frames; its own first frame is ignored.
+    // A PC2 file (point cache 2, as `--export pc2` writes it; .PC2 is the same) beside an OBJ or
+    // PLY of the same name that holds the faces: an OBJ before a PLY, small letters before capitals
+    // in the extension. Samples count by its rate in frames; its own first frame is ignored.
     //
     // Throws MeshFileError (mesh_file.h), and std::invalid_argument for a rate or start out of
     // range. Memory is bounded by a multiple of the files' size.

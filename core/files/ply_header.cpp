@@ -24,6 +24,8 @@ constexpr Wanted wanted[] = {
     {"vertex", "z", 2, false},
     {"face", "vertex_indices", PlyHeader::corners, true},
     {"face", "vertex_index", PlyHeader::corners, true},
+    {"tristrips", "vertex_indices", PlyHeader::corners, true},
+    {"tristrips", "vertex_index", PlyHeader::corners, true},
     {"edge", "vertex1", 0, true},
     {"edge", "vertex2", 1, true},
 };
@@ -46,7 +48,10 @@ std::optional<Type> typeNamed(std::string_view name) {
 
 class HeaderReader {
 public:
-    HeaderReader(MeshBuilder& mesh, std::string_view& rest) : mesh_(mesh), rest_(rest) {}
+    HeaderReader(MeshBuilder& mesh, std::string_view& rest) : mesh_(mesh), rest_(rest) {
+        const std::size_t behind = rest.find_first_not_of('\r', rest.find_first_of("\r\n"));
+        lineEnd_ = behind < rest.size() && rest[behind] == '\n' ? '\n' : '\r';
+    }
 
     PlyHeader read() {
         if (!nextLine() || words_ != Words{"ply"})
@@ -73,7 +78,9 @@ private:
         ++mesh_.position;
         words_.clear();
         if (rest_.empty()) return false;
-        splitWords(takeLine(rest_), words_);
+        const std::size_t length = std::min(rest_.find(lineEnd_), rest_.size() - 1) + 1;
+        splitWords(rest_.substr(0, length), words_);
+        rest_.remove_prefix(length);
         return true;
     }
 
@@ -108,6 +115,9 @@ private:
         for (const Wanted& want : wanted)
             if (want.element == element.name && want.property == property.name)
                 accept(element, property, want);
+        const bool joins = property.name == "vertex_indices" || property.name == "vertex_index";
+        if (joins && property.slot == PlyHeader::nowhere && element.count > 0)
+            mesh_.fail("element " + quoted(element.name) + " is not read, but joins vertices");
         element.properties.push_back(property);
     }
 
@@ -157,6 +167,7 @@ private:
 
     MeshBuilder& mesh_;
     std::string_view& rest_;
+    char lineEnd_;  // of every line as of the first: behind a "\r", a "\n" may be a binary value
     Words words_;
     PlyHeader header_;
 };

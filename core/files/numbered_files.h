@@ -1,0 +1,16 @@
+// The files of a sequence, by a pattern; not for use outside its reader.
+#pragma once
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+namespace plait {
+
+using NumberedFiles = std::vector<std::pair<long long, std::filesystem::path>>;
+
+// The files that a pattern matches (MeshSequence says how), ascending by number and evenly so.
+// Throws MeshFileError.
+NumberedFiles filesOf(const std::filesystem::path& pattern);
+
+}  // namespace plait
