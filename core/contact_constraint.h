@@ -19,6 +19,8 @@ public:
     // After finish() and in turns until none does anything more: what passes through all the same
     // goes back to where the substep began. Returns how many vertices that moves.
     virtual long holdBack(const Sweep<Real>&, Workers&) { return 0; }
+    // When nothing moves any more in this substep: counts what was not held.
+    virtual void conclude(const Sweep<Real>&, Workers&) {}
     // After the velocities: what a bounce leaves and the change of positions does not show.
     virtual void rebound(State<Real>&, Drawer<Real>&) const {}
 

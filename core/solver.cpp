@@ -117,6 +117,7 @@ void Solver<Real>::finishSets() {
         held = false;
         forContacts([&](auto& set, int s) { held |= set.holdBack(sweepOf(s), workers_) > 0; });
     }
+    forContacts([&](auto& set, int s) { set.conclude(sweepOf(s), workers_); });
 }
 
 // Jacobi iterations: slower than the columns, but what error is left is spread out (V) [SC16]. Each

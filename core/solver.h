@@ -30,8 +30,8 @@ public:
         : Solver(std::make_shared<const World>(std::move(world)), options) {}
 
     // Advances by one frame. Throws Diverged if a number is not finite, and what an animation or
-    // SolverOptions::interrupt throws, with everything put back to where the frame began. Allocates nothing after the first
-    // frame, but where lists of contacts grow.
+    // SolverOptions::interrupt throws, with everything put back to where the frame began. Allocates
+    // nothing after the first frame, but where lists of contacts grow.
     void frame();
     // Back to the start of the run, bit for bit, with every set and force made anew [AR11].
     void rewind();
@@ -56,7 +56,8 @@ public:
     long evaluations() const { return evaluations_; }  // constraints swept: the counted work
     // Of the state and of what is kept to put it back.
     std::size_t bytes() const { return state_.bytes() + checkpoint_.bytes(); }
-    long failures() const { return failures_; }  // of contacts in the last frame
+    long failures() const { return failures_; }         // of contacts in the last frame
+    int threads() const { return workers_.threads(); }  // that there are, at most those asked for
     const State<Real>& state() const { return state_; }
     const Constraint<Real>& set(int i) const { return *sets_[static_cast<std::size_t>(i)]; }
     const Schedule& schedule() const { return schedule_; }

@@ -54,8 +54,8 @@ struct SolverOptions {
     bool limitAcceleration = false;  // any larger change of velocity is cut to it [IN22]
     int threads = 1;
     KernelChoice kernels = bestKernels();
-    // Called over and over within a frame, on the thread that asked for it, far more often than once
-    // a second. What it throws ends the frame.
+    // Called over and over within a frame, on the thread that asked for it, far more often than
+    // once a second. What it throws ends the frame.
     std::function<void()> interrupt{};
 };
 

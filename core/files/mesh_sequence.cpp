@@ -48,6 +48,12 @@ Shape readPattern(const fs::path& pattern, Meshes& meshes, fs::path& file) {
     return shape;
 }
 
+bool isPattern(const fs::path& path) {
+    return path.filename().string().find('*') != std::string::npos;
+}
+
+bool isPc2(const fs::path& path) { return extensionOf(path) == ".pc2"; }
+
 // The mesh that a point cache goes with.
 fs::path meshBeside(const fs::path& cache) {
     const std::vector<fs::path> paths = pathsBeside(cache);
@@ -114,6 +120,16 @@ Shape readPc2(const fs::path& path, Meshes& meshes, fs::path& file, double& spac
 
 }  // namespace
 
+void forContents(const fs::path& path, const std::function<void(std::string_view)>& visit) {
+    std::vector<fs::path> files{path};
+    if (isPc2(path)) files.push_back(meshBeside(path));
+    if (isPattern(path) && !fs::exists(path)) {
+        files.clear();
+        for (const auto& [number, file] : filesOf(path)) files.push_back(file);
+    }
+    for (const fs::path& file : files) visit(contentOf(file));
+}
+
 MeshSequence::MeshSequence(const fs::path& path, const MeshSequenceOptions& options)
     : options_(options) {
     if (!(options.frameRate > 0) || !std::isfinite(options.frameRate))
@@ -122,9 +138,8 @@ MeshSequence::MeshSequence(const fs::path& path, const MeshSequenceOptions& opti
         throw std::invalid_argument("a sequence's start must be finite");
     Meshes meshes;
     double spacing = 1;
-    const bool pattern = path.filename().string().find('*') != std::string::npos;
-    if (!pattern && extensionOf(path) != ".pc2")
-        failAsWhole(path, "neither a pattern with a * nor a .pc2");
+    const bool pattern = isPattern(path);
+    if (!pattern && !isPc2(path)) failAsWhole(path, "neither a pattern with a * nor a .pc2");
     first_ = std::make_shared<const Shape>(pattern ? readPattern(path, meshes, file_)
                                                    : readPc2(path, meshes, file_, spacing));
     meshes_ = std::make_shared<const Meshes>(std::move(meshes));

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "mesh_file.h"
@@ -15,6 +17,11 @@ struct MeshSequenceOptions {
     double start = 0;       // s, when the first is there; before that it stands still
     bool smooth = true;     // between meshes: Catmull-Rom, or straight
 };
+
+// Calls visit(bytes) with the content of every file that belongs to `path`, in the order in which
+// they are read: those of a sequence (MeshSequence), or a mesh alone. Throws MeshFileError.
+void forContents(const std::filesystem::path& path,
+                 const std::function<void(std::string_view bytes)>& visit);
 
 // Before its first mesh and behind its last a sequence holds still; if smooth, it comes to rest
 // there, and so its velocity is continuous at all times. Copies share what was read.

@@ -9,8 +9,8 @@ namespace plait {
 
 using NumberedFiles = std::vector<std::pair<long long, std::filesystem::path>>;
 
-// The files that a pattern matches (MeshSequence says how), ascending by number and evenly so.
+// The files that a path matches (MeshSequence says how), ascending by number and evenly so.
 // Throws MeshFileError.
-NumberedFiles filesOf(const std::filesystem::path& pattern);
+NumberedFiles filesOf(const std::filesystem::path& path);
 
 }  // namespace plait

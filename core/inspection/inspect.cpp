@@ -130,7 +130,7 @@ private:
         const std::string found = shortly(size) + (wanted_.solid ? " m tall" : " m across") +
                                   ", where " + shortly(wanted_.least) + " to " +
                                   shortly(wanted_.most) + " m are of use";
-        if (wanted_.solid && box.z >= wanted_.least && box.z <= wanted_.most)
+        if (wanted_.solid && box.z > box.y && box.z >= wanted_.least && box.z <= wanted_.most)
             refuse(found + ": is z up?");
         refuse(found + unitOf(size));
     }

@@ -18,7 +18,7 @@ public:
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
 
-    int threads() const { return static_cast<int>(pool_.size()) + 1; }
+    int threads() const { return static_cast<int>(pool_.size()) + 1; }  // fewer if no more start
 
     // Called, where there is one, as every loop below begins, and by what loops long by itself. It
     // may throw.

@@ -10,6 +10,14 @@ namespace plait {
 namespace {
 
 constexpr int innerPasses = 5;  // M 4.2
+// In a substep, before contacts give up: what goes back is in the way of others, so that each round
+// reaches a ring of vertices further, and costs as much as looking for pairs. A sheet that falls on
+// a ball in few substeps takes up to 27, a strip twisted ten turns 38, and less than a pair for five
+// vertices in all; where a body jumps, tens of pairs a vertex cross again and again.
+constexpr int mostBackRounds = 64, mostBackPairs = 16;  // the latter a vertex
+
+// Of two surfaces, which cross or do not.
+bool isThin(const Pairing& pair) { return pair.first + pair.second == 4; }
 
 }  // namespace
 
@@ -24,8 +32,7 @@ void ContactSet<Real>::check(const Pairing& pair, std::vector<Contact>& list) co
     if (!mayMeet(pair, start, end, 0)) return;
     const Nearest now = nearest(pair, start);
     const double distance = length(now.apart), gap = gapOf(pair, now);
-    const bool thin = pair.first + pair.second == 4;
-    const double thickness = thin ? 0 : 0.25 * std::min(gap, distance);
+    const double thickness = isThin(pair) ? 0 : leastPart * std::min(gap, distance);
     if (distance == 0 || !movesBy(distance - thickness, pair, start, end)) return;
     if (impactOf(pair, start, end, thickness))
         list.push_back({.pair = pair, .distance = distance, .gap = gap});
@@ -105,7 +112,7 @@ void ContactSet<Real>::crossMoved(const Sweep<Real>& sweep, Workers& workers) {
 template <class Real>
 long ContactSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
     for (Contact& c : contacts_) counts_.limited += std::exchange(c.limited, false);
-    if (options_.detection == Detection::end) return 0;
+    if (options_.detection == Detection::end || gaveUp_) return 0;
     long work = 0;
     cross(sweep, workers);
     for (int pass = 0; pass < innerPasses && !crossing_.empty(); ++pass) {
@@ -124,6 +131,7 @@ long ContactSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
 
 template <class Real>
 long ContactSet<Real>::holdBack(const Sweep<Real>& sweep, Workers& workers) {
+    if (gaveUp_) return putEverythingBack(sweep);
     if (options_.detection == Detection::end || !findMoved(sweep, workers)) return 0;
     crossMoved(sweep, workers);
     return putAllBack(sweep, workers);
@@ -134,6 +142,10 @@ template <class Real>
 long ContactSet<Real>::putAllBack(const Sweep<Real>& sweep, Workers& workers) {
     long sum = 0;
     while (!crossing_.empty()) {
+        workers.askInterrupt();
+        backPairs_ += std::ssize(crossing_);
+        gaveUp_ = ++backRounds_ > mostBackRounds || backPairs_ > mostBackPairs * std::ssize(start_);
+        if (gaveUp_) return sum + putEverythingBack(sweep);
         const int held = putBack(sweep);
         contacts_.insert(contacts_.end(), crossing_.begin(), crossing_.end());
         if (held == 0) {
@@ -160,6 +172,34 @@ int ContactSet<Real>::putBack(const Sweep<Real>& sweep) {
             ++held;
         }
     return held;
+}
+
+template <class Real>
+long ContactSet<Real>::putEverythingBack(const Sweep<Real>& sweep) const {
+    long held = 0;
+    for (int v = 0; v < std::ssize(start_); ++v)
+        held += search_.surfaceOf(v) >= 0 && !pinned_[v] && plait::putBack(sweep, v);
+    return held;
+}
+
+// What cannot cross, particles and curves, and has its thickness for all that keeps it out of
+// others: a pair is counted once, as it is pressed within a quarter of its gap.
+template <class Real>
+void ContactSet<Real>::conclude(const Sweep<Real>& sweep, Workers& workers) {
+    std::atomic<long> pressed{0};
+    if (gaveUp_) ++counts_.givenUp;
+    workers.forBlocks(ready_ && !gaveUp_ ? foreseen_ : 0, 256, [&](int begin, int end) {
+        long count = 0;
+        for (int n = begin; n < end; ++n) {
+            const Contact& c = contacts_[n];
+            if (isThin(c.pair) || clear(sweep, watches_[n])) continue;
+            const Nearest now = nearest(c.pair, endOf(sweep, c.pair));
+            const double least = leastPart * wholeGapOf(c.pair, now);
+            count += length(now.apart) < least && c.distance >= least;
+        }
+        pressed += count;
+    });
+    counts_.pressed += pressed;
 }
 
 template class ContactSet<float>;

@@ -65,10 +65,11 @@ void ContactSet<Real>::colour() {
 // looked at: most never come to be.
 template <class Real>
 void ContactSet<Real>::project(const Sweep<Real>& sweep, Direction direction, Workers& workers) {
+    looked_ = 0;
+    if (gaveUp_) return;
     if (!ready_) prepare(sweep, workers);
     const bool all = evaluation_ < 4 || evaluation_ % 4 == 3;
     ++evaluation_;
-    looked_ = 0;
     // Whether it was not clear.
     const auto look = [&](int n) {
         if (clear(sweep, watches_[n])) return false;

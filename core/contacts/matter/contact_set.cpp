@@ -24,7 +24,7 @@ double meanEdge(const World& world, const std::vector<Surface>& surfaces) {
 }
 
 double thickest(const Surface& s) {
-    double most = s.thickness.value();
+    double most = s.thickness.value_or(0);
     for (const double r : s.radii) most = std::max(most, r);
     return most;
 }
@@ -75,6 +75,8 @@ ContactSet<Real>::ContactSet(const World& world, const std::vector<Surface>& sur
 template <class Real>
 void ContactSet<Real>::begin(const Substep& substep, Workers&) {
     h_ = substep.h;
+    backRounds_ = 0;
+    backPairs_ = 0;
     contacts_.clear();
     crossing_.clear();
     seen_.clear();
@@ -111,10 +113,9 @@ PairPoints ContactSet<Real>::endOf(const Sweep<Real>& sweep, const Pairing& pair
     return x;
 }
 
-// Two of one sheet that lie nearer at rest stay as near; what begins too near parts no faster than
-// `recovery`, however thick it is (CC15, CC17).
+// Two of one sheet that lie nearer at rest stay as near.
 template <class Real>
-double ContactSet<Real>::gapOf(const Pairing& pair, const Nearest& now) const {
+double ContactSet<Real>::wholeGapOf(const Pairing& pair, const Nearest& now) const {
     const auto& v = pair.vertices;
     double gap = 0;
     for (std::size_t i = 0; i < 4; ++i) gap += std::fabs(now.weight[i]) * search_.thickness(v[i]);
@@ -123,7 +124,13 @@ double ContactSet<Real>::gapOf(const Pairing& pair, const Nearest& now) const {
         const PairPoints rest{rest_[v[0]], rest_[v[1]], rest_[v[2]], rest_[v[3]]};
         if (mayMeet(pair, rest, rest, gap)) gap = std::min(gap, length(nearest(pair, rest).apart));
     }
-    return std::min(gap, length(now.apart) + options_.recovery * h_);
+    return gap;
+}
+
+// What begins too near parts no faster than `recovery`, however thick it is (CC15, CC17).
+template <class Real>
+double ContactSet<Real>::gapOf(const Pairing& pair, const Nearest& now) const {
+    return std::min(wholeGapOf(pair, now), length(now.apart) + options_.recovery * h_);
 }
 
 template <class Real>
@@ -173,7 +180,7 @@ void ContactSet<Real>::strike(const Sweep<Real>& sweep, const State<Real>& state
         locate(sweep, workers);
         failures_->begin(start_, kept.integers, counts_, workers);
     }
-    if (!bouncy_) return;
+    if (!bouncy_ || gaveUp_) return;
     prepare(sweep, workers);
     bend(sweep, state);
 }
@@ -198,7 +205,9 @@ void ContactSet<Real>::bend(const Sweep<Real>& sweep, const State<Real>& state) 
     }
     const double slow = std::max(options_.bounceThreshold, 2 * gravity_ * h_) * h_;
     const int limit = 16 + 4 * static_cast<int>(bounces_.size());
-    counts_.bounces += bounce(bounces_, inverseMass_, paths_, slow, limit);
+    const Bounced bounced = bounce(bounces_, inverseMass_, paths_, slow, limit);
+    counts_.bounces += bounced.count;
+    counts_.cut += bounced.cut;
     for (std::size_t v = 0; v < paths_.size(); ++v) {
         if (!paths_[v].bent) continue;
         bent_.push_back(static_cast<int>(v));

@@ -8,7 +8,9 @@
 // After the last column all paths are looked at once more (finish): what still crosses is parted in
 // up to five passes, and what crosses even then is put back to where the substep began, which was
 // free of crossings, so that the next one begins free of them too. Only matter that is moved from
-// outside can break that; such vertices are counted as failed.
+// outside can break that; such vertices are counted as failed. What goes back may be crossed by
+// others, which go back as well: where that does not end soon, all stays where it is to the end of
+// the base step, and every substep of it is counted as a failure.
 //
 // Which contacts there are depends on where everything is and is heading, not on when pairs were
 // last looked for: a run that is resumed has the same bits.
@@ -32,6 +34,7 @@ public:
     ContactSet(const World& world, const std::vector<Surface>& surfaces,
                const ContactOptions& options);
 
+    void beginFrame(double /*t0*/, double /*t1*/) override { gaveUp_ = false; }
     void begin(const Substep& substep, Workers& workers) override;
     void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override;
     long finish(const Sweep<Real>& sweep, Workers& workers) override;
@@ -40,9 +43,10 @@ public:
     bool needsPast() const override { return bouncy_; }
     void strike(const Sweep<Real>& sweep, const State<Real>& state, const Drawer<Real>& kept,
                 Workers& workers) override;
+    void conclude(const Sweep<Real>& sweep, Workers& workers) override;
     void rebound(State<Real>& state, Drawer<Real>& kept) const override;
     void markTouched(std::vector<std::uint8_t>& touched) const override;
-    long failures() const override { return counts_.failed + counts_.disabled; }
+    long failures() const override { return counts_.failures(); }
     // Contacts looked at in the evaluation last made.
     long size() const override { return looked_; }
 
@@ -80,6 +84,7 @@ private:
     void locate(const Sweep<Real>& sweep, Workers& workers);
     void prepare(const Sweep<Real>& sweep, Workers& workers);
     void consider(const Pairing& pair, std::vector<Contact>& list) const;
+    double wholeGapOf(const Pairing& pair, const Nearest& now) const;
     double gapOf(const Pairing& pair, const Nearest& now) const;
     void bend(const Sweep<Real>& sweep, const State<Real>& state);
     void sortParts();
@@ -99,6 +104,7 @@ private:
     void cross(const Sweep<Real>& sweep, Workers& workers);
     void crossMoved(const Sweep<Real>& sweep, Workers& workers);
     int putBack(const Sweep<Real>& sweep);
+    long putEverythingBack(const Sweep<Real>& sweep) const;
     long putAllBack(const Sweep<Real>& sweep, Workers& workers);
 
     ContactOptions options_;
@@ -114,11 +120,14 @@ private:
     std::vector<Path> paths_;  // by vertex, of this substep
     std::vector<int> bent_;    // vertices that bounced
     std::vector<Contact> contacts_, crossing_;
-    std::vector<Watch> watches_;                // of contacts_
-    std::vector<int> near_;                     // of each block of a colour those that were not
-                                                // clear when all were looked at, then -1
-    int evaluation_ = 0;                        // of this substep
-    std::atomic<long> looked_ = 0;              // in the evaluation last made
+    std::vector<Watch> watches_;    // of contacts_
+    std::vector<int> near_;         // of each block of a colour those that were not
+                                    // clear when all were looked at, then -1
+    int evaluation_ = 0;            // of this substep
+    int backRounds_ = 0;            // in which what crossed was put back in this substep
+    long backPairs_ = 0;            // that crossed in them
+    bool gaveUp_ = false;           // in this base step: nothing moves until its end
+    std::atomic<long> looked_ = 0;  // in the evaluation last made
     std::array<int, colorLimit + 2> colors_{};  // where each colour begins in contacts_
     std::vector<std::vector<Contact>> parts_;   // as they are found
     std::vector<Contact*> ordered_;             // all of them

@@ -21,14 +21,17 @@ public:
         for (const Bounce& b : bounces_) times_.push_back(timeOf(b));
     }
 
-    bool next() {
+    bool any() const {
+        return std::ranges::any_of(times_, [](double time) { return time < never; });
+    }
+
+    // Where there are any.
+    void next() {
         const auto first = std::ranges::min_element(times_);
-        if (first == times_.end() || *first == never) return false;
         const Bounce& b = bounces_[static_cast<std::size_t>(first - times_.begin())];
         bend(b, *first);
         for (std::size_t i = 0; i < bounces_.size(); ++i)
             if (sharePath(bounces_[i], b)) times_[i] = timeOf(bounces_[i]);
-        return true;
     }
 
 private:
@@ -106,12 +109,12 @@ private:
 
 }  // namespace
 
-int bounce(std::span<const Bounce> bounces, std::span<const double> inverseMass,
-           std::span<Path> paths, double least, int limit) {
+Bounced bounce(std::span<const Bounce> bounces, std::span<const double> inverseMass,
+               std::span<Path> paths, double least, int limit) {
     Impacts impacts(bounces, inverseMass, paths, least);
     int count = 0;
-    while (count < limit && impacts.next()) ++count;
-    return count;
+    for (; count < limit && impacts.any(); ++count) impacts.next();
+    return {count, impacts.any()};
 }
 
 }  // namespace plait

@@ -28,11 +28,16 @@ struct Path {
     bool bent = false;
 };
 
-// Bends `paths` (by vertex) at the impacts of `bounces`, earliest first, and returns how many there
-// were, at most `limit`. The speed of an impact is the one it has at its time, not the path's mean:
-// bounces that took the mean would gain as much as they lose where they are low, and never end.
-// Inverse masses in 1/kg; what approaches by less than `least` (m in the substep) does not bounce.
-int bounce(std::span<const Bounce> bounces, std::span<const double> inverseMass,
-           std::span<Path> paths, double least, int limit);
+struct Bounced {
+    int count;
+    bool cut;  // there are more, which are not followed
+};
+
+// Bends `paths` (by vertex) at the impacts of `bounces`, earliest first, at most `limit`. The speed
+// of an impact is the one it has at its time, not the path's mean: bounces that took the mean would
+// gain as much as they lose where they are low, and never end. Inverse masses in 1/kg; what
+// approaches by less than `least` (m in the substep) does not bounce.
+Bounced bounce(std::span<const Bounce> bounces, std::span<const double> inverseMass,
+               std::span<Path> paths, double least, int limit);
 
 }  // namespace plait

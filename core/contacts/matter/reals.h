@@ -8,6 +8,10 @@
 
 namespace plait {
 
+// Part of a gap that contacts keep to the last. What is pressed nearer, and could not cross, is
+// counted as failed all the same.
+inline constexpr double leastPart = 0.25;
+
 // Moves a vertex back to where the substep began. Returns whether it was elsewhere.
 template <class Real>
 bool putBack(const Sweep<Real>& sweep, int vertex) {

@@ -1,5 +1,7 @@
 #include "pair_search.h"
 
+#include "../checks.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -16,8 +18,7 @@ PairSearch::PairSearch(const SimplicialComplex& complex, std::vector<Surface> su
         const Surface& of = surfaces_[s];
         for (int v = of.vertices.first; v < of.vertices.last; ++v) {
             surface_[v] = static_cast<int>(s);
-            thickness_[v] =
-                of.radii.empty() ? of.thickness.value() : of.radii[v - of.vertices.first];
+            thickness_[v] = thicknessAt(of, v);
             members_.push_back(v);
         }
     }

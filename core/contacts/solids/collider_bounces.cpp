@@ -3,6 +3,7 @@
 #include "collider_set.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace plait {
 namespace {
@@ -54,6 +55,7 @@ void ColliderSet<Real>::strike(const Sweep<Real>& sweep, const State<Real>& stat
     if (!bouncy_) return;
     prepare(sweep, workers);
     constexpr int limit = 8;
+    std::atomic<long> cut{0};
     workers.forBlocks(static_cast<int>(members_.size()), grain, [&](int begin, int end) {
         for (int m = begin; m < end; ++m) {
             const int v = members_[m].vertex;
@@ -66,11 +68,14 @@ void ColliderSet<Real>::strike(const Sweep<Real>& sweep, const State<Real>& stat
             int bounces = 0;
             while (bounces < limit && strike(members_[m], path)) ++bounces;
             if (bounces == 0) continue;
+            Path more = path;
+            if (bounces == limit) cut += strike(members_[m], more);
             bent_[m] = 1;
             kick_[m] = (1 / h_) * (base + before - path.start);
             put(p + 4, path.end - base);
         }
     });
+    failed_ += cut;
 }
 
 // The first-order velocity and a past that continues it, so that BDF2 extrapolates no bounce.

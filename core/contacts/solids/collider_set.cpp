@@ -1,6 +1,7 @@
 #include "collider_set.h"
 
 #include "../../world.h"
+#include "../checks.h"
 #include "../friction.h"
 #include "../matter/reals.h"
 
@@ -41,13 +42,14 @@ ColliderSet<Real>::ColliderSet(const World& world, const std::vector<Collider>& 
         for (const Surface& s : surfaces)
             bouncy_ = bouncy_ || mean(c.restitution, s.restitution) > 0;
     }
+    std::vector<bool> onTriangle(world.mass.size(), false);
+    for (int t = 0; t < world.complex.count(2); ++t)
+        for (const int v : world.complex.vertices(2, t)) onTriangle[v] = true;
     for (std::size_t s = 0; s < surfaces.size(); ++s)
-        for (int v = surfaces[s].vertices.first; v < surfaces[s].vertices.last; ++v) {
-            const auto& radii = surfaces[s].radii;
-            const double radius = radii.empty() ? surfaces[s].thickness.value()
-                                                : radii[v - surfaces[s].vertices.first];
-            if (!world.pinned[v]) members_.push_back({v, static_cast<int>(s), radius});
-        }
+        for (int v = surfaces[s].vertices.first; v < surfaces[s].vertices.last; ++v)
+            if (!world.pinned[v])
+                members_.push_back(
+                    {v, static_cast<int>(s), thicknessAt(surfaces[s], v), !onTriangle[v]});
     rows_.resize(members_.size() * bodies_.size());
     free_.resize(rows_.size());
     kick_.resize(members_.size());
@@ -208,8 +210,24 @@ bool ColliderSet<Real>::passes(const Sweep<Real>& sweep, int m, std::size_t b) c
     const Vec<double> start = body.before.own(three(p) + before);
     const Side from = sideOf(solid, start);
     if (from.distance <= 0) return false;
-    const double gap = 0.25 * std::min(gapOf(member, from), from.distance);
+    const double gap = leastPart * std::min(gapOf(member, from), from.distance);
     return reaches(solid, start, body.now.own(three(p) + now), gap).has_value();
+}
+
+// Whether a particle or a vertex of a curve came to be within a quarter of its thickness in this
+// substep: of a surface that is no failure before it is inside.
+template <class Real>
+bool ColliderSet<Real>::isPressed(const Sweep<Real>& sweep, int m, std::size_t b) const {
+    const Member& member = members_[m];
+    const Body& body = bodies_[b];
+    const Real* const p = sweep.particles + 8 * member.vertex;
+    const Vec<double> now = three(p + 4), before = three(sweep.before + 4 * member.vertex);
+    const Vec<double> way = now - before;
+    if (!member.isRound || dot(way, way) < free_[m * bodies_.size() + b]) return false;
+    const double least = leastPart * member.thickness;
+    const Solid& solid = body.collider.solid;
+    return sideOf(solid, body.now.own(three(p) + now)).distance < least &&
+           sideOf(solid, body.before.own(three(p) + before)).distance >= least;
 }
 
 // How often act(member, body) is true of those that pass.
@@ -247,6 +265,18 @@ long ColliderSet<Real>::holdBack(const Sweep<Real>& sweep, Workers& workers) {
     });
     failed_ += failed;
     return held;
+}
+
+template <class Real>
+void ColliderSet<Real>::conclude(const Sweep<Real>& sweep, Workers& workers) {
+    std::atomic<long> pressed{0};
+    workers.forBlocks(static_cast<int>(members_.size()), grain, [&](int begin, int end) {
+        long count = 0;
+        for (int m = begin; m < end; ++m)
+            for (std::size_t b = 0; b < bodies_.size(); ++b) count += isPressed(sweep, m, b);
+        pressed += count;
+    });
+    failed_ += pressed;
 }
 
 template <class Real>

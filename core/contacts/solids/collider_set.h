@@ -26,6 +26,7 @@ public:
     void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override;
     long finish(const Sweep<Real>& sweep, Workers& workers) override;
     long holdBack(const Sweep<Real>& sweep, Workers& workers) override;
+    void conclude(const Sweep<Real>& sweep, Workers& workers) override;
     void rebound(State<Real>& state, Drawer<Real>& kept) const override;
     void markTouched(std::vector<std::uint8_t>& touched) const override;
     long failures() const override { return failed_; }
@@ -42,6 +43,7 @@ private:
     struct Member {
         int vertex, surface;
         double thickness;  // m
+        bool isRound;      // a particle or of a curve
     };
     // What a vertex must stay in front of, in the collider's axes: dot(normal, x) >= offset.
     struct Plane {
@@ -62,6 +64,7 @@ private:
                 const Vec<double>& end) const;
     bool part(const Sweep<Real>& sweep, int member, std::size_t body);
     bool passes(const Sweep<Real>& sweep, int member, std::size_t body) const;
+    bool isPressed(const Sweep<Real>& sweep, int member, std::size_t body) const;
     template <class Act>
     long whereItPasses(const Sweep<Real>& sweep, Workers& workers, const Act& act);
     bool strike(const Member& member, Path& path) const;
@@ -78,7 +81,9 @@ private:
     std::vector<std::uint8_t> bent_;  // by member
     double h_ = 0;                    // s
     bool ready_ = false;              // rows_ are those of this substep
-    long failed_ = 0;                 // times that a vertex was left inside
+    // Times that a vertex was left inside, one that is round within a quarter of its thickness, or
+    // that one had more bounces than are followed.
+    long failed_ = 0;
 };
 
 extern template class ColliderSet<float>;

@@ -175,6 +175,21 @@ TEST_CASE("colliders: a ball bounces as high and as long as it should, and rests
     CHECK(report("BDF2, first bounce", std::fabs(second.heights[0] / 0.64 - 1), 0.02));
 }
 
+// (0.9, 0.3) bounce at 0.6 and rub at what is the mean of 0.1 and 0.5, whoever has which.
+TEST_CASE("colliders: of what bounces the mean of the two counts", "[colliders][strangers]") {
+    for (const auto& [ours, theirs] : {std::pair{1.0, 0.0}, {0.0, 1.0}, {0.9, 0.3}, {0.3, 0.9}}) {
+        World world;
+        const Range point = addPoint(world, {0, 0.1, 0}, 1, {2, -1, 0});
+        collide(world, {hard(Solid::plane(), 0.1, theirs)}, {rough(point, 0.5, ours)});
+        Solver<double> solver(world, meeting(10));
+        advance(solver, 6);
+        const Vec<double> v = solver.velocities()[0];
+        const double e = 0.5 * (ours + theirs);
+        CHECK(report("speed away, m/s", std::fabs(v.y - e), 1e-9));
+        CHECK(report("speed along, m/s", std::fabs(v.x - (2 - 0.3 * (1 + e))), 1e-9));
+    }
+}
+
 // mu g = omega^2 r: what turns with a table stays on it up to there.
 TEST_CASE("colliders: a turntable carries what it can hold", "[colliders]") {
     constexpr double mu = 0.3, r = 0.5, radius = 0.05;

@@ -3,6 +3,7 @@
 #include "tests/catch.h"
 #include "tests/report.h"
 
+#include <plait/contacts/solids/collider.h>
 #include <plait/measure/energy.h>
 
 #include <numbers>
@@ -163,6 +164,41 @@ TEST_CASE("stickiness: holds its force, and tears above", "[contacts][friction]"
         if (holds) CHECK(report("sagged, m", std::fabs(fallen), 1e-4));
         if (!holds) CHECK(fallen > 4);
     }
+}
+
+// A point of 1 kg slides on a floor, or below a ceiling, that holds 30 N. Friction goes by what
+// presses, which below a ceiling is nothing, and by all that sticks, however little of it is used.
+TEST_CASE("stickiness: friction goes by what presses and by what sticks, and mixes neither",
+          "[contacts][friction][strangers]") {
+    constexpr double mu = 0.2, hold = 30;
+    for (const bool solid : {false, true})
+        for (const double side : {1.0, -1.0}) {
+            World world;
+            Surface matter = rough(mu, mu);
+            matter.stickiness = hold;
+            Surface wall = matter;
+            if (!solid) wall.vertices = addSlope(world, 0);
+            matter.vertices =
+                addPoint(world, {0.3, side * (solid ? skin : 2 * skin), 0}, 1, {4, 0, 0});
+            world.act<Gravity>(GravityOptions{});
+            if (solid)
+                collide(world,
+                        {{.solid = Solid::plane(),
+                          .frame = {.across = {side, 0, 0}, .up = {0, side, 0}},
+                          .staticFriction = mu,
+                          .dynamicFriction = mu,
+                          .stickiness = hold}},
+                        {matter});
+            else
+                meet(world, {wall, matter});
+            Solver<double> solver(world, meeting(20));
+            advance(solver, 6);
+            const double lost = (4 - solver.velocities().back().x) / 0.25;  // m/s^2
+            const double expected = mu * (side > 0 ? g + hold : hold);
+            CHECK(report(
+                std::string(solid ? "collider" : "surface") + (side > 0 ? ", floor" : ", ceiling"),
+                std::fabs(lost / expected - 1), 0.01));
+        }
 }
 
 // [LY2, LY3] Two alike that meet head on, at rest afterwards unless one of them yields less.

@@ -180,7 +180,7 @@ TEST_CASE("inspection: a mesh in other units is told by its size", "[inspection]
     CHECK(refusal(spun(0.4), body) == "a.obj: 0.4 m tall, where 0.5 to 3.5 m are of use");
     CHECK(refusal(spun(1.2), body) == "accepted");
     Shape lying = spun(1.7);
-    for (Vec<double>& x : lying.positions) x = {x.x, -x.z, x.y};
+    for (Vec<double>& x : lying.positions) x = {x.x, -0.5 * x.z, x.y};
     CHECK(has(refusal(lying, body), "is z up?"));
     const MeshWanted flag{.least = 0.05, .usual = 1.9, .most = 30};
     CHECK(refusal(grid({.columns = 4, .rows = 3, .width = 190, .height = 120}), flag) ==
@@ -218,11 +218,11 @@ TEST_CASE("inspection: a body is closed and faces outward", "[inspection][strang
 
     Triangles holed = outward;
     holed.erase(holed.begin() + 17);
-    const auto [a, b, c] = outward[17];
-    const int low = std::min({a, b, c}), high = std::max({a, b, c});
+    const auto& gone = outward[17];
+    const int low = *std::ranges::min_element(gone), high = *std::ranges::max_element(gone);
     CHECK(refusal(shapeOf(whole.positions, holed), solid) ==
           "a.obj: not closed: open at 3 edges, the first from vertex " + std::to_string(low + 1) +
-              " to " + std::to_string(a + b + c - low - high + 1));
+              " to " + std::to_string(gone[0] + gone[1] + gone[2] - low - high + 1));
     // Moebius's: closed by nothing, and with one side only.
     Triangles strip;
     positions.clear();
@@ -286,8 +286,8 @@ TEST_CASE("inspection: what crosses or lies on itself at the start is refused",
                 {{1, 2, 3}, {4, 5, 6}});
     CHECK(
         refused(pierced) ==
-        "a.obj: it crosses itself at the start, in 1 places, the first the edge from vertex 5 to 6 "
-        "through the triangle of 2, 3 and 4");
+        "a.obj: it crosses itself at the start, in 2 places, the first the edge from vertex 3 to 4 "
+        "through the triangle of 5, 6 and 7");
     // Two sides over the same vertices: diagonals cross in the plane.
     const std::vector<Vec<double>> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     CHECK(refused(shapeOf(square, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}})) ==

@@ -1,5 +1,6 @@
 // Threads that run blocks, more of them than there are cores.
 #include "tests/catch.h"
+#include "tests/no_threads.h"
 #include "tests/random.h"
 
 #include <plait/kernels/workers.h>
@@ -88,4 +89,15 @@ TEST_CASE("workers: the first of what is thrown arrives, and the rest is done", 
 
 TEST_CASE("workers: there is at least one", "[threads]") {
     CHECK_THROWS_AS(Workers(0), std::invalid_argument);
+}
+
+TEST_CASE("workers: where no thread starts, the calling one does it all", "[threads][strangers]") {
+    const NoThreads none;
+    Workers workers(4);
+    CHECK(workers.threads() == 1);
+    std::vector<int> runs(200, 0);
+    workers.forBlocks(200, 10, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) ++runs[i];
+    });
+    CHECK(runs == std::vector<int>(200, 1));
 }

@@ -277,7 +277,7 @@ TEST_CASE("failures: an interrupt within a frame leaves it as it began", "[failu
             REQUIRE(calls > 10 * 6);  // several times a substep
         }
         const long most = calls;
-        for (const long at : {1L, most / 3, most / 2, most - 1}) {
+        for (const long at : {1L, most / 3, most / 2}) {  // less, once pairs are known
             calls = 0, last = at;
             const auto before = broken.hash();
             CHECK_THROWS_AS(broken.frame(), Enough);
