@@ -8,10 +8,10 @@
 namespace plait {
 namespace {
 
-using Numbers = std::array<double, 7>;
+using Numbers = std::array<double, 8>;
 
 Numbers numbers(const Camera& c) {
-    return {c.eye.x, c.eye.y, c.eye.z, c.target.x, c.target.y, c.target.z, c.focalLength};
+    return {c.eye.x, c.eye.y, c.eye.z, c.target.x, c.target.y, c.target.z, c.focalLength, c.across};
 }
 
 // Rate of change of number k at pose i: of the parabola through its neighbours; 0 at the ends.
@@ -46,7 +46,7 @@ CameraPose poseAt(std::span<const Camera> cameras, double t) {
     if (cameras.empty()) throw std::invalid_argument("view: has no camera");
     const Numbers n = between(cameras, t);
     return {glm::vec3(n[0], n[1], n[2]), glm::vec3(n[3], n[4], n[5]),
-            static_cast<float>(2 * std::atan(10.125 / n[6]))};
+            static_cast<float>(2 * std::atan(10.125 / n[6])), static_cast<float>(n[7])};
 }
 
 glm::vec3 wayAt(const Follow& follow, double t) {
@@ -69,6 +69,13 @@ CameraPose poseOf(const View& view, double t) {
     const auto part = [&](const Vec<double>& v) { return glm::vec3(v.x, v.y, v.z) * way; };
     pose.eye += part(view.follow.eye);
     pose.target += part(view.follow.target);
+    return pose;
+}
+
+CameraPose CameraPose::framed(float aspect) const {
+    CameraPose pose = *this;
+    const float taller = across * (16.0f / 9) / aspect;
+    if (taller > 1) pose.fieldOfView = 2 * std::atan(taller * std::tan(fieldOfView / 2));
     return pose;
 }
 

@@ -12,8 +12,11 @@ namespace plait {
 struct CameraPose {
     glm::vec3 eye, target;  // m
     float fieldOfView;      // vertical, radians
+    float across = 1;       // of the width of a picture of 16:9: what a narrower one keeps
 
     glm::vec3 forward() const { return glm::normalize(target - eye); }
+    // Of a picture of this width over its height, whose field may have to be higher.
+    CameraPose framed(float aspect) const;
     glm::mat4 matrix(float aspect) const;  // world to clip
 };
 

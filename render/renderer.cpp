@@ -57,7 +57,7 @@ Renderer::Renderer(const Scene& scene, const RenderOptions& options)
       grade_(options.width, options.height),
       empty_(makeVertexArray()) {
     if (view_.ground) prepareGround();
-    const CameraPose pose = poseAt(view_.cameras, view_.cameras[0].time);
+    const CameraPose pose = poseAt(view_.cameras, view_.cameras[0].time).framed(aspect());
     key_ = lightDirection(pose, -50, 42);
     fill_ = lightDirection(pose, 65, 18);
     rim_ = lightDirection(pose, 150, 38);
@@ -68,6 +68,10 @@ Renderer::Renderer(const Scene& scene, const RenderOptions& options)
 }
 
 Renderer::~Renderer() { context_.makeCurrent(); }
+
+float Renderer::aspect() const {
+    return static_cast<float>(options_.width) / static_cast<float>(options_.height);
+}
 
 void Renderer::addSkin(Skin skin) {
     GpuMesh mesh{makeVertexArray(), makeBuffer(), makeBuffer(), 0, {}, 1};
@@ -98,9 +102,8 @@ bool Renderer::isVeil(const Skin& skin) {
 Picture Renderer::draw(std::span<const Vec<double>> positions, double t, const Overlay* overlay,
                        const CameraPose* chosen) {
     context_.makeCurrent();
-    Shot shot{chosen ? *chosen : poseOf(view_, t), {}, overlay != nullptr};
-    shot.camera =
-        shot.pose.matrix(static_cast<float>(options_.width) / static_cast<float>(options_.height));
+    const CameraPose pose = (chosen ? *chosen : poseOf(view_, t)).framed(aspect());
+    Shot shot{pose, pose.matrix(aspect()), overlay != nullptr};
     way_ = wayAt(view_.follow, t);
     update(positions, overlay);
     findSubject(shot);

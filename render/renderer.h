@@ -63,6 +63,7 @@ private:
         float lowest = -1e9f;  // m, where what is drawn is cut off
     };
 
+    float aspect() const;
     void addSkin(Skin skin);
     void prepareGround();
     void update(std::span<const Vec<double>> positions, const Overlay* overlay);
@@ -77,6 +78,7 @@ private:
     void drawMirror(const Shot& shot);
     void drawBackdrop(const Shot& shot);
     void drawRows(const Program& program, int first, int last, const Shot& shot);
+    glm::vec3 groundCenter() const;
     int groundRows(const Shot& shot) const;
     void setStage(const Program& program, const CameraPose& pose) const;
     static bool isVeil(const Skin& skin);

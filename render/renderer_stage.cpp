@@ -123,13 +123,17 @@ void Renderer::drawBackdrop(const Shot& shot) {
     glDepthMask(GL_TRUE);
 }
 
+glm::vec3 Renderer::groundCenter() const {
+    return toGlm(view_.glowCenter) + static_cast<float>(view_.follow.ground) * way_;
+}
+
 // Rows from the bottom below which all of the ground lies.
 int Renderer::groundRows(const Shot& shot) const {
     const glm::vec3 forward = shot.pose.forward();
     const float level = std::hypot(forward.x, forward.z);
     if (level < 0.1f) return options_.height;
     const auto reach = static_cast<float>(groundReach * view_.groundSize);
-    const glm::vec3 rim = toGlm(view_.glowCenter) + reach / level * forward;
+    const glm::vec3 rim = groundCenter() + reach / level * forward;
     const glm::vec4 seen = shot.camera * glm::vec4(rim.x, view_.groundHeight, rim.z, 1);
     if (seen.w <= 0) return 0;
     const float height = (0.5f + 0.5f * seen.y / seen.w) * static_cast<float>(options_.height);
@@ -145,7 +149,8 @@ void Renderer::drawRows(const Program& program, int first, int last, const Shot&
     program.set("ground", glm::vec3(view_.groundHeight, 1.2f * size, groundReach * size));
     const Stage& stage = view_.stage;
     program.set("groundColor", glm::vec3(stage.floor[0], stage.floor[1], stage.floor[2]));
-    program.set("groundCenter", glm::vec2(view_.glowCenter.x, view_.glowCenter.z));
+    const glm::vec3 center = groundCenter();
+    program.set("groundCenter", glm::vec2(center.x, center.z));
     if (mirror_) {
         program.set("mirror", glm::vec2(stage.mirror, stage.mirrorFades));
         program.set("subject", glm::vec2(shot.pose.target.x, shot.pose.target.z));

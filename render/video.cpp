@@ -50,7 +50,7 @@ void VideoWriter::check(int status) const {
     if (status >= 0) return;
     char cause[AV_ERROR_MAX_STRING_SIZE] = "";
     av_strerror(status, cause, sizeof cause);
-    throw std::runtime_error(file_.path().string() + ": cannot be written: " + cause);
+    throw FileError(file_.path().string() + ": cannot be written: " + cause);
 }
 
 void VideoWriter::openCodec(bool webp, int width, int height, FrameRate rate) {

@@ -20,8 +20,7 @@ namespace plait {
 
 // By the ending of the file: .mp4 is H.264 for every player (crf 18, 4:2:0, BT.709, index in
 // front); .webp an animation that loops, small enough for a README. The same pictures give the same
-// bytes. The file appears whole, by finish(), or not at all. Throws std::runtime_error, "file:
-// cause".
+// bytes. The file appears whole, by finish(), or not at all. Throws FileError (whole_file.h).
 class VideoWriter {
 public:
     // Throws std::invalid_argument for sizes that are not even and at least 16, rates that are not

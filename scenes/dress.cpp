@@ -1,22 +1,19 @@
 #include "dress.h"
 
-#include "ballerina/ballerina.h"
+#include "dress_wearer.h"
 #include "parts/measures.h"
-#include "parts/seam.h"
-#include "parts/views.h"
 #include "parts/woven.h"
 
 #include <plait/contacts/surface.h>
-#include <plait/files/mesh_sequence.h>
 #include <plait/forces/air.h>
 #include <plait/forces/gravity.h>
-#include <plait/inspection/inspect.h>
 #include <plait/numbers/elementary.h>
 #include <plait/stencils.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -28,18 +25,7 @@ namespace {
 constexpr double fullness = 1.06;  // of the pattern, gathered by as much where it is sewn on
 constexpr double lead = 1.5;       // s, in which the skirt falls before the film begins
 
-constexpr std::array vermilion{0.578, 0.032, 0.014}, rose{0.72, 0.32, 0.27};
-
-// Who wears it.
-struct Wearer {
-    Shape shape;                                    // at time 0
-    MovingSurface surface;                          // by the time of the film, s
-    Frame waist;                                    // at time 0
-    std::function<Vec<double>(double t)> followed;  // by the camera
-    double seconds = 0;
-    Look look;
-    std::vector<std::string> warnings = {};
-};
+constexpr std::array rose{0.72, 0.32, 0.27};
 
 // A layer of the skirt: a ring cut from cloth that lies flat, sewn to the waist along its inside.
 struct Layer {
@@ -152,100 +138,25 @@ Range addBody(World& world, const Wearer& wearer) {
     return body;
 }
 
-// Bare skin, hair, tights and satin shoes; her bodice is of the skirt's silk.
-Look lookOf(const Ballerina& dancer) {
-    Look look;
-    look.material = Material::skin;
-    for (const BodyPart part : dancer.parts()) {
-        std::array color{0.72, 0.45, 0.33};
-        double satin = 0;
-        switch (part) {
-            case BodyPart::hair:
-                color = {0.03, 0.018, 0.012};
-                break;
-            case BodyPart::leg:
-                color = {0.80, 0.62, 0.52};
-                break;
-            case BodyPart::shoe:
-                color = {0.75, 0.33, 0.27}, satin = 1;
-                break;
-            case BodyPart::torso:
-                color = vermilion, satin = 1;
-                break;
-            default:
-                break;
-        }
-        look.colors.push_back(color);
-        look.satin.push_back(satin);
-    }
-    return look;
+// The skirt when it stands out level.
+double reachOf(const Layer& layer, std::span<const Vec<double>> sewn, const Vec<double>& middle) {
+    double widest = 0;
+    for (const Vec<double>& x : sewn)
+        widest = std::max(widest, std::hypot(x.x - middle.x, x.z - middle.z));
+    return widest + layer.length;
 }
 
-Wearer ballerina() {
-    const Ballerina dancer;
-    Shape shape = dancer.shape();
-    shape.positions = dancer.positions(0);
-    return {.shape = std::move(shape),
-            .surface = {dancer.triangles(), [dancer](double t) { return dancer.positions(t); }},
-            .waist = dancer.waist(0),
-            .followed = [dancer](double t) { return dancer.waist(t).origin; },
-            .seconds = Ballerina::seconds,
-            .look = lookOf(dancer)};
-}
-
-// A character of the user's own, in metres, y up, on the floor y = 0.
-Wearer wearerOf(const Knobs& knobs) {
-    const MeshSequence sequence(knobs.text("body"), {.frameRate = knobs.number("rate")});
-    const InspectedMesh mesh = inspect(sequence.first(), sequence.file(),
-                                       {.solid = true, .least = 0.5, .usual = 1.7, .most = 3.5});
-    Wearer wearer;
-    wearer.shape = mesh.shape;
-    wearer.warnings = mesh.warnings;
-    wearer.seconds = sequence.end();
-    for (int t = 0; t < wearer.shape.complex.count(2); ++t)
-        wearer.surface.triangles.push_back(wearer.shape.complex.triangle(t));
-    wearer.surface.positions = [sequence, vertices = mesh.vertices](double t) {
-        std::vector<Vec<double>> all(sequence.first().positions.size()), positions;
-        sequence(t, all);
-        for (const int v : vertices) positions.push_back(all[v]);
-        return positions;
-    };
-    wearer.followed = [at = wearer.surface.positions](double t) {
-        const std::vector<Vec<double>> positions = at(t);
-        Vec<double> sum{};
-        for (const Vec<double>& x : positions) sum += x;
-        return divide(1.0, static_cast<double>(positions.size())) * sum;
-    };
-    wearer.waist.origin = wearer.followed(0);
-    const double waist = wearer.waist.origin.y = knobs.number("waist");
-    const auto [low, high] =
-        std::ranges::minmax(wearer.shape.positions, {}, [](const Vec<double>& x) { return x.y; });
-    if (!(low.y < waist && waist < high.y))
-        throw std::invalid_argument("waist: it must be on the body, which reaches from " +
-                                    std::to_string(low.y) + " to " + std::to_string(high.y) + " m");
-    if (std::fabs(low.y) > 0.05)
-        wearer.warnings.push_back(
-            mesh.told("it stands on y = " + std::to_string(low.y) + " m, and the floor is y = 0"));
-    wearer.look.material = Material::matte;
-    wearer.look.color = {0.254, 0.216, 0.188};
-    return wearer;
-}
-
-View viewOf(const Wearer& wearer, const std::array<Range, 3>& objects,
+View viewOf(const Wearer& wearer, double skirt, const std::array<Range, 3>& objects,
             const std::array<Layer, 2>& layers) {
-    constexpr double size = 2.1;  // m, of what is to be seen
-    View view = plait::viewOf({objects[0], objects[1], objects[2]}, {0, 0.88, 0}, size,
-                              Material::silk, {0.5, 0.12, 2.5});
+    Staging staging = wearer.staging;
+    staging.reach = std::max(staging.reach, skirt);
+    View view = plait::viewOf({objects[0], objects[1], objects[2]}, staging, wearer.followed);
     for (std::size_t i = 0; i < layers.size(); ++i) {
         view.looks[i].material = layers[i].material;
         view.looks[i].color = layers[i].color;
     }
     view.looks[2] = wearer.look;
     view.looks[2].object = objects[2];
-    view.groundHeight = 0;
-    view.groundSize = size;
-    view.stage = theatre(size);
-    view.follow = {.point = wearer.followed, .home = wearer.followed(0)};
     return view;
 }
 
@@ -299,7 +210,9 @@ Scene dress(const Knobs& knobs) {
                      insideOf(world, skirt, body, {0, 0})};
     if (scene.metrics.back().measure({world.start, world.velocity, 0, 0}) > 0)
         throw std::invalid_argument("body: it must stand in its first mesh, clear of the skirt");
-    scene.view = viewOf(wearer, {outside, inside, body}, {silk, tulle});
+    const auto sewn = std::span(world.start).subspan(outside.first, threads);
+    scene.view = viewOf(wearer, reachOf(silk, sewn, wearer.waist.origin), {outside, inside, body},
+                        {silk, tulle});
     return scene;
 }
 

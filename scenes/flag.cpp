@@ -15,8 +15,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace plait {
 namespace {
@@ -84,19 +86,25 @@ Vec<double> flying(const Vec<double>& rest) {
     return x;
 }
 
-// A steel pole with a ball and three rings of brass.
-void addPole(View& view) {
+// A steel pole with a ball and three rings of brass, the last of them where the cloth ends. It is
+// so many times as large as for the flag's own cloth; its foot is not to be seen.
+void addPole(View& view, double lowest, double size) {
     constexpr std::array brass{0.584, 0.305, 0.050}, steel{0.397, 0.445, 0.491};
-    view.props.push_back({turned({{0.022, 0}, {0.022, 3.12}}), Material::steel, steel});
-    view.props.push_back({sphere({.subdivisions = 4, .radius = 0.05}, {.origin = {0, 3.165, 0}}),
-                          Material::brass, brass});
-    for (const double y : {3.11, 3.04, 1.875})
-        view.props.push_back({turned({{0.022, y - 0.012},
-                                      {0.027, y - 0.01},
-                                      {0.028, y},
-                                      {0.027, y + 0.01},
-                                      {0.022, y + 0.012}}),
-                              Material::brass, brass});
+    const auto add = [&](Shape shape, Material material, const std::array<double, 3>& color) {
+        for (Vec<double>& x : shape.positions) x = hoistTop + size * (x - hoistTop);
+        view.props.push_back({std::move(shape), material, color});
+    };
+    add(turned({{0.022, 0}, {0.022, 3.12}}), Material::steel, steel);
+    add(turned({{0.022, -100}, {0.022, 0}}), Material::steel, steel);
+    add(sphere({.subdivisions = 4, .radius = 0.05}, {.origin = {0, 3.165, 0}}), Material::brass,
+        brass);
+    for (const double y : {3.11, 3.04, hoistTop.y + (lowest - hoistTop.y) / size + 0.015})
+        add(turned({{0.022, y - 0.012},
+                    {0.027, y - 0.01},
+                    {0.028, y},
+                    {0.027, y + 0.01},
+                    {0.022, y + 0.012}}),
+            Material::brass, brass);
 }
 
 // A cloth of the user's own: nobody knows its threads, so every edge is one.
@@ -174,27 +182,33 @@ InspectedMesh clothOf(const Knobs& knobs, int columns, int rows) {
 
 View viewOf(Range cloth, std::span<const Vec<double>> rest) {
     const Box box = boxOf(rest);
-    const double size =
-        std::max((box.high.x - box.low.x) / flyLength, (box.high.y - box.low.y) / hoistLength);
+    const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
     View view;
     Look look{.object = cloth, .print = "plait"};
     for (const Vec<double>& x : rest)
-        look.uv.push_back({(x.x - box.low.x) / (box.high.x - box.low.x),
-                           (x.y - box.low.y) / (box.high.y - box.low.y)});
+        look.uv.push_back({(x.x - box.low.x) / width, (x.y - box.low.y) / height});
     view.looks = {look};
+    // In parts of the flag's own. A long one hangs down far where the wind calms.
+    const double across = width / flyLength, size = std::max(across, height / hoistLength),
+                 down = (height + width / 2) / (hoistLength + flyLength / 2);
+    const auto place = [&](double x, double y, double z) {
+        return hoistTop + Vec<double>{across * x, down * y, size * z};
+    };
+    constexpr double drift = 0.3;
+    // To the pole when the camera has drifted, or to the free end before.
+    const double half = std::max(0.8 * across + drift * size, width - 0.8 * across) + 0.1 * size;
     for (const double t : {0.0, seconds}) {
-        const Vec<double> drift{0.3 * t / seconds, 0, 0};
-        const auto from = [&](const Vec<double>& offset) {
-            return hoistTop + drift + size * offset;
-        };
+        const Vec<double> target =
+            place(0.8, -0.8, 0) + Vec<double>{drift * size * t / seconds, 0, 0};
         view.cameras.push_back({.time = t,
-                                .eye = from({0.35, -1.45, 7.1}),
-                                .target = from({0.8, -0.8, 0}),
-                                .focalLength = 66});
+                                .eye = target + size * Vec<double>{-0.45, -0.65, 7.1},
+                                .target = target,
+                                .focalLength = 66,
+                                .across = half / (1.95 * size)});
     }
     view.ground = false;
-    view.glowCenter = {1.2, 1.55, -2};
-    addPole(view);
+    view.glowCenter = place(1.174, -1.51, -2);
+    addPole(view, box.low.y, std::sqrt(width * height / (flyLength * hoistLength)));
     return view;
 }
 

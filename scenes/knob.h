@@ -22,6 +22,7 @@ struct Knob {
     std::string text = "";  // the default of a choice or a file
 
     bool isNumber() const { return low < high; }
+    bool isFile() const { return !isNumber() && choices.empty(); }
 };
 
 // The values that a scene is built with.

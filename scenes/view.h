@@ -12,12 +12,15 @@
 
 namespace plait {
 
-// A camera pose. The focal length is for a sensor 36 mm wide (of a 16:9 picture, 20.25 mm high).
+// A camera pose. The focal length is for a sensor of 36 mm x 20.25 mm, of a picture of 16:9; wider
+// ones show more to the sides, and narrower ones more above and below.
 struct Camera {
     double time = 0;  // s
     Vec<double> eye{0, 0, 5};
     Vec<double> target{0, 0, 0};
     double focalLength = 50;  // mm
+    // Part of the width, about its middle, that the subject needs: what a narrower picture keeps.
+    double across = 1;
 };
 
 // A tulle is a net: what lies behind it is seen, and dimmed by each layer; it is to be drawn by
@@ -63,6 +66,7 @@ struct Follow {
     // Parts of its way, along each axis, that eye and target go.
     Vec<double> eye{0.7, 0.2, 0.7};
     Vec<double> target{1, 0.5, 1};
+    double ground = 0;       // part of its way that the middle of the ground goes
     double smoothing = 0.8;  // s, before and after
 };
 

@@ -84,7 +84,7 @@ Picture figurePicture(const Figure& figure, double scale) {
 void writeFigure(const std::filesystem::path& path, const Figure& figure) {
     const std::string svg = figureSvg(figure);
     WholeFile file(path.string() + ".svg");
-    file.write({reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size()});
+    file.write(std::as_bytes(std::span(svg)));
     writePng(path.string() + ".png", figurePicture(figure));
     file.commit();
 }

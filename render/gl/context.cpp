@@ -5,7 +5,12 @@
 #include <dlfcn.h>
 
 #include <array>
+#include <cstdlib>
+#include <latch>
 #include <stdexcept>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 namespace plait {
 namespace {
@@ -31,6 +36,20 @@ private:
     void* handle_ = nullptr;
 };
 
+// Mesa waits for ever for threads of its own that the system did not start: where as many as it
+// takes, one a processor and one that keeps its shaders, do not, it is to draw without.
+void spareThreads() {
+    std::latch all(1);
+    std::vector<std::jthread> threads;
+    try {
+        while (threads.size() <= std::thread::hardware_concurrency())
+            threads.emplace_back([&] { all.wait(); });
+    } catch (const std::system_error&) {
+        setenv("LP_NUM_THREADS", "0", 0);
+    }
+    all.count_down();
+}
+
 class OsMesa : public Context::Backend {
 public:
     explicit OsMesa(const Library& library) {
@@ -40,6 +59,7 @@ public:
         Function (*find)(const char*);
         library.get(find, "OSMesaGetProcAddress");
         // OSMESA_FORMAT RGBA, DEPTH_BITS 0, PROFILE core, version 3.3.
+        spareThreads();
         const std::array attributes{0x22, 0x1908, 0x30, 0, 0x33, 0x34, 0x36, 3, 0x37, 3, 0};
         context_ = create_(attributes.data(), nullptr);
         if (!context_) throw std::runtime_error("OSMesa makes no context of OpenGL 3.3");

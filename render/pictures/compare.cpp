@@ -115,7 +115,7 @@ std::filesystem::path writeComparisonPage(const std::filesystem::path& folder,
                                           std::span<const ComparisonEntry> entries) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (error) throw std::runtime_error(folder.string() + ": cannot be made: " + error.message());
+    if (error) throw FileError(folder.string() + ": cannot be made: " + error.message());
     std::string page = pageHead;
     for (const ComparisonEntry& entry : entries) {
         const auto& [name, actual, golden] = entry;
@@ -136,10 +136,8 @@ std::filesystem::path writeComparisonPage(const std::filesystem::path& folder,
         }
         page += "</div>\n";
     }
-    WholeFile file(folder / "index.html");
-    file.write({reinterpret_cast<const std::uint8_t*>(page.data()), page.size()});
-    file.commit();
-    return file.path();
+    writeWhole(folder / "index.html", page);
+    return folder / "index.html";
 }
 
 }  // namespace plait

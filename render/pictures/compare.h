@@ -42,8 +42,7 @@ struct ComparisonEntry {
 };
 
 // Writes index.html, with actual, golden, difference (times 8) and FLIP map of every entry side by
-// side, and the pictures beside it. Returns the page's path. Throws std::runtime_error,
-// "file: cause".
+// side, and the pictures beside it. Returns the page's path. Throws FileError.
 std::filesystem::path writeComparisonPage(const std::filesystem::path& folder,
                                           std::span<const ComparisonEntry> entries);
 

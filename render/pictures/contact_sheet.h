@@ -19,8 +19,9 @@ struct SheetFrame {
 // all where there are fewer.
 std::vector<int> sheetFrames(int frames, int count = 12);
 
-// Frames in rows of four with their times, in the size of the first scaled to a quarter of `width`
-// pixels, under the title. Throws std::invalid_argument without frames.
+// Frames with their times, in rows of four that are `width` pixels wide (of pictures that are
+// upright more, of very wide ones fewer), each of the shape of the first, under the title. Throws
+// std::invalid_argument without frames.
 Picture contactSheet(std::span<const SheetFrame> frames, const std::string& title,
                      int width = 1920);
 

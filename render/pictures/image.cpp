@@ -3,10 +3,7 @@
 #include "whole_file.h"
 
 #include <libdeflate.h>
-#include <cerrno>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -59,19 +56,26 @@ std::size_t byteCount(const Picture& picture) {
     return 3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
 }
 
-std::vector<std::uint8_t> readFile(const std::filesystem::path& path) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                               std::fclose);
-    std::vector<std::uint8_t> bytes;
-    std::uint8_t buffer[65536];
-    while (file) {
-        const std::size_t n = std::fread(buffer, 1, sizeof buffer, file.get());
-        if (n == 0) break;
-        bytes.insert(bytes.end(), buffer, buffer + n);
-    }
-    if (!file || std::ferror(file.get()))
-        throw std::runtime_error(path.string() + ": cannot be read: " + std::strerror(errno));
-    return bytes;
+const stbi_uc* bytesOf(const std::string& file) {
+    return reinterpret_cast<const stbi_uc*>(file.data());
+}
+
+// A picture of the size of `file`, without pixels, and the pixels in `channels` of stb's: 3 are
+// RGB, 2 are grey and alpha.
+Pixels decode(const std::filesystem::path& path, const std::string& file, int channels,
+              Picture& picture, int* channelsThere = nullptr) {
+    Pixels pixels(stbi_load_from_memory(bytesOf(file), static_cast<int>(file.size()),
+                                        &picture.width, &picture.height, channelsThere, channels),
+                  std::free);
+    if (!pixels) throw FileError(path.string() + ": is not a whole PNG: " + stbi_failure_reason());
+    return pixels;
+}
+
+Picture colorsOf(const std::filesystem::path& path, const std::string& file) {
+    Picture picture;
+    const Pixels pixels = decode(path, file, 3, picture);
+    picture.rgb.assign(pixels.get(), pixels.get() + byteCount(picture));
+    return picture;
 }
 
 }  // namespace
@@ -83,24 +87,21 @@ void writePng(const std::filesystem::path& path, const Picture& picture) {
     const Pixels bytes(stbi_write_png_to_mem(picture.rgb.data(), 3 * picture.width, picture.width,
                                              picture.height, 3, &size),
                        std::free);
-    if (!bytes) throw std::runtime_error(path.string() + ": cannot be written: out of memory");
-    WholeFile file(path);
-    file.write({bytes.get(), static_cast<std::size_t>(size)});
-    file.commit();
+    if (!bytes) throw FileError(path.string() + ": cannot be written: out of memory");
+    writeWhole(path, {reinterpret_cast<const char*>(bytes.get()), static_cast<std::size_t>(size)});
 }
 
-Picture readPng(const std::filesystem::path& path) {
-    const auto bytes = readFile(path);
-    Picture picture;
-    const Pixels pixels(stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()),
-                                              &picture.width, &picture.height, nullptr, 3),
-                        std::free);
-    if (!pixels)
-        throw std::runtime_error(path.string() + ": is not a whole PNG: " + stbi_failure_reason());
-    const std::size_t size =
-        3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
-    picture.rgb.assign(pixels.get(), pixels.get() + size);
-    return picture;
+Picture readPng(const std::filesystem::path& path) { return colorsOf(path, readWhole(path)); }
+
+PngFile readPngFile(const std::filesystem::path& path) {
+    const std::string file = readWhole(path);
+    PngFile png{.picture = colorsOf(path, file), .alpha = {}, .channels = 0, .bits = 8};
+    const Pixels pixels = decode(path, file, 2, png.alpha, &png.channels);
+    png.alpha.rgb.resize(byteCount(png.alpha));
+    for (std::size_t i = 0; i < png.alpha.rgb.size(); ++i)
+        png.alpha.rgb[i] = pixels.get()[2 * (i / 3) + 1];
+    if (stbi_is_16_bit_from_memory(bytesOf(file), static_cast<int>(file.size()))) png.bits = 16;
+    return png;
 }
 
 }  // namespace plait

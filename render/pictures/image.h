@@ -7,11 +7,19 @@
 
 namespace plait {
 
-// 8 bits a channel, deflated by libdeflate, which is several times faster than stb's own. Written
-// beside and renamed. Throws std::runtime_error, "file: cause".
+// 8 bits a channel, deflated by libdeflate, which is several times faster than stb's own. All of
+// these throw FileError (whole_file.h).
 void writePng(const std::filesystem::path& path, const Picture& picture);
 
-// Any PNG, its alpha dropped. Throws std::runtime_error, "file: cause".
+// Any PNG, its alpha dropped.
 Picture readPng(const std::filesystem::path& path);
+
+// Any PNG, with what Picture has no room for.
+struct PngFile {
+    Picture picture;
+    Picture alpha;       // as greys; white, opaque, where the file has none
+    int channels, bits;  // of the file: 1 to 4, of 8 or 16 bits; palettes count as what they hold
+};
+PngFile readPngFile(const std::filesystem::path& path);
 
 }  // namespace plait

@@ -21,7 +21,7 @@ Color encode(const glm::vec3& linear) {
 }  // namespace
 
 void drawLegend(Picture& picture, const Legend& legend) {
-    const double unit = picture.height / 720.0;
+    const double unit = unitOf(picture);
     const auto px = [&](double v) { return static_cast<int>(std::lround(v * unit)); };
     const int width = px(260), bar = px(12), pad = px(18);
     const int right = picture.width - px(40) - pad, x = right - width, top = px(40);

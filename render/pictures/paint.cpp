@@ -10,6 +10,8 @@ extern "C" {
 
 namespace plait {
 
+double unitOf(const Picture& picture) { return std::min(picture.width, picture.height) / 720.0; }
+
 Picture filled(int width, int height, Color color) {
     Picture picture{width, height, {}};
     picture.rgb.resize(std::size_t{3} * width * height);

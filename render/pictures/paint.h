@@ -14,6 +14,9 @@ struct Color {
 inline constexpr Color ink{0x16, 0x20, 0x2c}, ivory{0xf1, 0xe6, 0xd4}, vermilion{0xc8, 0x32, 0x1f},
     steel{0xa9, 0xb2, 0xba};
 
+// How many pixels one of the look book's is, whose pictures are 720 high, or upright 720 wide.
+double unitOf(const Picture& picture);
+
 Picture filled(int width, int height, Color color);
 
 // Covers a pixel of the picture by the fraction `alpha`.

@@ -149,6 +149,7 @@ Scene stripInWind(const Knobs& knobs) {
     scene.metrics = {greatestStrain(scene.world, strip, {0, 5}), stripAngle(strip, wind)};
     // From the side, where its angle is seen.
     scene.view = viewOf({strip}, {0.05, -0.45, 0.35}, 1, Material::silk, {2.4, 0.3, 1.1});
+    scene.view.cameras[0].across = 0.4;
     addBar(scene.view, {-0.06, 0.01, 0}, {0.14, 0.01, 0}, 0.012, Material::steel);
     addBar(scene.view, {-0.06, scene.view.groundHeight, 0}, {-0.06, 0.04, 0}, 0.015,
            Material::matte);
@@ -169,6 +170,7 @@ Scene windGauge(const Knobs& knobs) {
     constrainStretch(scene.world, gauge);
     scene.metrics = {windLag(wind, drag), greatestStrain(scene.world, gauge, {-0.01, 0.01})};
     scene.view = viewOf({gauge}, {-0.1, 0.05, -0.05}, 0.2, Material::silk);
+    scene.view.cameras[0].across = 1;
     travel(scene.view, wind);
     // It would seem to stand still: a post every metre on its way.
     scene.seconds = 4;

@@ -50,6 +50,7 @@ Scene unitSpring(const Knobs&) {
     // It slides on a bar, its spring 2 m long at rest.
     View& view = scene.view;
     view = viewOf({point}, {-0.25, 0, 0}, 1.1, Material::brass, {0.55, 0.75, 4.4});
+    view.cameras[0].across = 1;
     view.looks[0].radius = 0.19;
     view.coils = {{.from = {-2, 0, 0},
                    .to = 0,
@@ -180,6 +181,7 @@ Scene softPins(const Knobs&) {
         scene.metrics.push_back(sag(i, {0.9 * still - 1e-3, 1.1 * still + 1e-3, 1}));
     }
     scene.view = viewOf({points}, {0.5, 0, 0}, 0.9, Material::brass);
+    scene.view.cameras[0].across = 0.65;
     scene.view.looks[0].radius = 0.06;
     return scene;
 }

@@ -244,6 +244,7 @@ Scene elbow(const Knobs& knobs) {
                      contactFailures()};
     View& view = scene.view;
     view = viewOf({sleeve, arm}, {-0.01, 0.07, 0}, 0.5, Material::cotton, {-0.75, 0.7, 2.0});
+    view.cameras[0].across = 0.65;
     view.looks[1].material = Material::matte;
     view.looks[1].color = {0.55, 0.42, 0.33};
     const Vec<double> shoulder = Bones(0).place(-upper - 0.02, 0, 0);

@@ -32,7 +32,8 @@ View viewOf(const std::vector<Range>& objects, const Vec<double>& middle, double
     view.cameras = {{.time = 0,
                      .eye = middle + size * from,
                      .target = middle - size * Vec<double>{0, 0.05, 0},
-                     .focalLength = 40}};
+                     .focalLength = 40,
+                     .across = 0.85}};
     for (const Range& object : objects)
         view.looks.push_back(lookOf(object, material, 0.012 * size));
     view.groundHeight = middle.y - 0.62 * size;
@@ -47,8 +48,8 @@ void travel(View& view, const Vec<double>& velocity) {
     // Between poses in line the path is straight, but for the first and last stretch, where the
     // camera would start and stop.
     for (const double t : {-1e4, 0.0, 1e4, 2e4})
-        view.cameras.push_back(
-            {t, start.eye + t * velocity, start.target + t * velocity, start.focalLength});
+        view.cameras.push_back({t, start.eye + t * velocity, start.target + t * velocity,
+                                start.focalLength, start.across});
     view.ground = false;
     // So far away that its direction stays.
     view.glowCenter += 1e6 * (start.target - start.eye);

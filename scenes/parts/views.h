@@ -11,7 +11,7 @@ namespace plait {
 Look lookOf(const Range& object, Material material, double radius);
 
 // A camera that looks `from` a side at the middle of the action, which is `size` (m) across, over
-// a ground just below it; every object looks the same.
+// a ground just below it; every object looks the same. Narrow pictures keep 0.85 of the width.
 View viewOf(const std::vector<Range>& objects, const Vec<double>& middle, double size,
             Material material, const Vec<double>& from = {0.55, 0.3, 2.6});
 
