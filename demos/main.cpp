@@ -6,7 +6,11 @@
 
 #include <plait/solver_options.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 
@@ -46,6 +50,19 @@ int runCommandLine(const std::vector<std::string>& words) {
     return command.run(parseArguments(command, rest));
 }
 
+// A file that is opened where a standard stream was closed would take what is printed for its own.
+void holdStandardStreams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(stream, F_GETFD) < 0)
+            open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);  // for neither use
+}
+
+// Throws FileError if anything that was printed is lost.
+void finishOutput() {
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+    throw FileError(std::string("standard output: cannot be written: ") + std::strerror(errno));
+}
+
 int complain(Exit status, const char* message) {
     std::fprintf(stderr, "plait: %s\n", message);
     return status;
@@ -55,8 +72,11 @@ int complain(Exit status, const char* message) {
 
 int main(int argc, char** argv) {
     try {
+        holdStandardStreams();
         catchInterrupts();
-        return runCommandLine({argv + 1, argv + argc});
+        const int status = runCommandLine({argv + 1, argv + argc});
+        finishOutput();
+        return status;
     } catch (const UsageError& error) {
         return complain(exitUsage, error.what());
     } catch (const SceneError& error) {

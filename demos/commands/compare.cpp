@@ -9,19 +9,21 @@
 namespace plait {
 namespace {
 
-Picture read(const std::string& path) {
-    try {
-        return readPng(path);
-    } catch (const std::runtime_error& error) {
-        throw FileError(error.what());
-    }
+std::string formOf(const PngFile& file) {
+    return std::to_string(file.channels) + " x " + std::to_string(file.bits) + " bits";
 }
 
 int compare(const Arguments& arguments) {
-    const Picture a = read(arguments.operands[0]), b = read(arguments.operands[1]);
-    const Comparison comparison = compare(a, b);
-    const bool passed = passes(comparison, arguments.has("loose") ? looseRule : tightRule);
-    std::printf("%s: %s\n", passed ? "alike" : "DIFFERENT", describe(comparison).c_str());
+    const PngFile a = readPngFile(arguments.operands[0]), b = readPngFile(arguments.operands[1]);
+    const Comparison colors = compare(a.picture, b.picture);
+    bool passed = passes(colors, arguments.has("loose") ? looseRule : tightRule);
+    std::string words = describe(colors);
+    if (colors.sameSize && a.alpha != b.alpha) {  // nothing that we draw has any
+        passed = false;
+        words += "; alpha: " + describe(compare(a.alpha, b.alpha));
+    }
+    if (formOf(a) != formOf(b)) words += "; channels: " + formOf(a) + " against " + formOf(b);
+    std::printf("%s: %s\n", passed ? "alike" : "DIFFERENT", words.c_str());
     return passed ? exitOk : exitFailed;
 }
 

@@ -27,7 +27,7 @@ std::string describe(const Knob& knob) {
         return columns(knob.name, text(knob.value) + unit,
                        text(knob.low) + " to " + text(knob.high) + unit + ": " + knob.meaning);
     const std::string value = knob.text.empty() ? "none" : knob.text;
-    const std::string allowed = knob.choices.empty() ? "a file" : joined(knob.choices);
+    const std::string allowed = knob.isFile() ? "a file" : joined(knob.choices);
     return columns(knob.name, value, allowed + ": " + knob.meaning);
 }
 

@@ -40,10 +40,13 @@ int compareToClosedForms(const ClosedForms& study, const Arguments& given) {
 }
 
 int writeTasks(const Study& study, const std::vector<StudyTask>& tasks, const Arguments& given) {
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe"),
+                                out = std::filesystem::absolute(
+                                    given.value("out", "out/study/" + study.name));
     std::string lines;
     for (const StudyTask& task : tasks)
-        lines += "build/plait study " + study.name + " --out " +
-                 given.value("out", "out/study/" + study.name) + " --task " + wordOf(task) + "\n";
+        lines += shellWord(program) + " study " + study.name + " --out " + shellWord(out) +
+                 " --task " + shellWord(wordOf(task)) + "\n";
     writeWhole(given.value("tasks"), lines);
     std::printf("%zu tasks in %s\n", tasks.size(), given.value("tasks").c_str());
     return exitOk;

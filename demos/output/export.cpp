@@ -1,10 +1,8 @@
 #include "export.h"
 
-#include "demos/tools/errors.h"
 #include "demos/tools/words.h"
 
 #include <cstdint>
-#include <fstream>
 
 namespace plait {
 namespace {
@@ -35,20 +33,18 @@ std::string titleOf(const Run& run, const RunFrame& frame) {
 
 void exportPc2(const RunFolder& folder, const Run& run, int last) {
     const SimplicialComplex& complex = run.scene.world.complex;
-    const auto path = folder.exportPath("points.pc2"), part = partOf(path);
-    std::ofstream file(part, std::ios::binary);
-    file << pc2Header(complex.count(0), last + 1);
+    WholeFile points(folder.exportPath("points.pc2")), mesh(folder.exportPath("points.obj"));
+    std::string bytes = pc2Header(complex.count(0), last + 1);
     for (int i = 0; i <= last; ++i) {
-        std::string points;
-        putPoints(points, folder.frame(i).positions);
-        file << points;
+        putPoints(bytes, folder.frame(i).positions);
+        points.write(std::as_bytes(std::span(bytes)));
+        bytes.clear();
     }
-    file.close();
-    if (!file) throw FileError(path.string() + ": cannot be written");
-    std::filesystem::rename(part, path);
     const RunFrame start = folder.frame(0);
-    writeWhole(folder.exportPath("points.obj"),
-               objOf(complex, start.positions, titleOf(run, start)));
+    bytes = objOf(complex, start.positions, titleOf(run, start));
+    mesh.write(std::as_bytes(std::span(bytes)));
+    points.commit();
+    mesh.commit();
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "pictures.h"
 
 #include "demos/tools/errors.h"
+#include "demos/tools/interrupt.h"
 #include "demos/tools/pipe.h"
 #include "demos/tools/words.h"
 #include "overlays.h"
@@ -18,6 +19,7 @@
 #include <cstdio>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 namespace plait {
@@ -78,19 +80,26 @@ struct Pictures::Work {
     Work(const Run& r, const RunFolder& f, const PictureOptions& o)
         : run(r), folder(f), options(o), overlays(r, o.overlay) {
         prepareFolder();
-        drawer = std::jthread([this] { guarded([this] { draw(); }); });
-        encoder = std::jthread([this] { guarded([this] { encode(); }); });
+        try {
+            encoder = std::jthread([this] { guarded([this] { encode(); }); });
+            drawer = std::jthread([this] { guarded([this] { draw(); }); });
+        } catch (const std::system_error& none) {
+            abandon();  // or the first would wait for frames
+            throw FileError(run.entry->name +
+                            " cannot be filmed: no thread that draws: " + none.what());
+        }
     }
-    ~Work() { abandon(); }
+    ~Work() {
+        abandon();
+        if (interrupted()) endSoon();
+    }
 
     // Pictures of other options would mix with these.
     void prepareFolder() const {
         const fs::path into = folder.path() / "frames", settings = into / "settings.txt";
         const std::string words = textOf(wordsOf(options));
         if (options.keep && fs::exists(settings) && readWhole(settings) == words) return;
-        fs::remove_all(into);
-        for (const char* name : {"clip.mp4", "clip.webp", "contact.png"})
-            fs::remove(folder.path() / name);
+        folder.removeFilm();
         makeFolder(into);
         writeWhole(settings, words);
     }
@@ -109,11 +118,21 @@ struct Pictures::Work {
             if (!error) error = std::current_exception();
             abandon();
         }
+        --atWork;
     }
     void abandon() {
         stopped = true;
         frames.close(true);
         pictures.close(true);
+    }
+    // A picture of 8K takes ten seconds, and none of those that draw it asks for interrupts.
+    void endSoon() const {
+        for (int i = 0; i < 30; ++i) {
+            if (atWork == 0) return;
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        folder.removeParts();
+        endInterrupted();
     }
     void rethrow() {
         std::exception_ptr thrown;
@@ -141,7 +160,7 @@ struct Pictures::Work {
     Overlays overlays;
     Pipe<RunFrame> frames{queueLength};
     Pipe<Drawn> pictures{queueLength};
-    std::atomic<int> done{0};
+    std::atomic<int> done{0}, atWork{2};
     std::atomic<bool> stopped{false}, ended{false};
     std::mutex mutex;  // of what follows
     std::exception_ptr error;
@@ -235,7 +254,7 @@ Pictures::~Pictures() = default;
 void Pictures::add(RunFrame frame) {
     work_->rethrow();
     if (frame.number < work_->options.first || frame.number > work_->options.last) return;
-    if (!work_->frames.push(std::move(frame))) work_->rethrow();
+    if (!work_->frames.push(std::move(frame), stopIfInterrupted)) work_->rethrow();
 }
 
 bool Pictures::finish(double seconds) {

@@ -38,10 +38,12 @@ class Pictures {
 public:
     // Throws FileError, or std::runtime_error where nothing can draw. `run` must live as long.
     Pictures(const Run& run, const RunFolder& folder, const PictureOptions& options);
-    // Ends the stages; what is not finished leaves no file.
+    // Ends the stages; what is not finished leaves no file. Ends the program if it was interrupted
+    // and a picture takes longer than one would wait.
     ~Pictures();
 
-    // The next frame, from 1 on; waits while the stages are busy. Throws what they threw.
+    // The next frame, from 1 on; waits while the stages are busy. Throws what they threw, and
+    // Interrupted.
     void add(RunFrame frame);
     // Waits until everything is on disk, at most `seconds`. True when it is.
     bool finish(double seconds);

@@ -37,12 +37,16 @@ void addSettings(JsonWriter& json, const Run& run) {
         json.beginObject(knobs ? "knobs" : "settings");
         for (const auto& [name, value] : settings) {
             const bool isKnob = name.starts_with(prefix);
-            const bool named = name == "scene" || name == "quality";
-            if (isKnob == knobs && !named)
+            const bool elsewhere =
+                name == "scene" || name == "quality" || name.starts_with("content.");
+            if (isKnob == knobs && !elsewhere)
                 addWord(json, isKnob ? name.substr(prefix.size()) : name, value);
         }
         json.end();
     }
+    json.beginObject("contents");
+    for (const auto& [name, content] : run.contents) json.field(name, content);
+    json.end();
 }
 
 void addMachine(JsonWriter& json, int threads) {

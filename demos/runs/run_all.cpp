@@ -5,6 +5,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -30,9 +31,13 @@ void runAll(int count, int jobs, int begun, Progress& progress,
             next = count;
         }
     };
-    std::vector<std::thread> threads;
-    for (int job = 0; job < jobs; ++job) threads.emplace_back(work, job);
-    for (std::thread& thread : threads) thread.join();
+    std::vector<std::jthread> threads;
+    try {
+        for (int job = 0; job < jobs; ++job) threads.emplace_back(work, job);
+    } catch (const std::system_error&) {
+        if (threads.empty()) work(0);  // those that there are do all of it
+    }
+    threads.clear();
     if (error) std::rethrow_exception(error);
 }
 

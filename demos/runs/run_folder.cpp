@@ -2,9 +2,9 @@
 
 #include "demos/tools/errors.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <system_error>
 
 namespace plait {
 namespace {
@@ -13,10 +13,15 @@ namespace fs = std::filesystem;
 
 // The first setting in which two runs differ.
 std::string difference(const Settings& there, const Settings& here) {
-    for (std::size_t i = 0; i < std::min(there.size(), here.size()); ++i)
-        if (there[i] != here[i])
-            return there[i].first + "=" + there[i].second + " where this one has " + here[i].first +
-                   "=" + here[i].second;
+    const std::string content = "content.";
+    for (const auto& [name, value] : here) {
+        const std::string before = valueOf(there, name);
+        if (before == value) continue;
+        if (name.starts_with(content))
+            return valueOf(here, "knob." + name.substr(content.size())) +
+                   " as it was before it changed";
+        return name + "=" + before + " where this one has " + name + "=" + value;
+    }
     return "other settings";
 }
 
@@ -27,14 +32,6 @@ bool isFree(const fs::path& folder) {
     for (const auto& entry : fs::recursive_directory_iterator(folder))
         if (entry.path() != folder / "cache" && entry.path().extension() != ".part") return false;
     return true;
-}
-
-// A write that was killed leaves its part.
-void removeParts(const fs::path& folder) {
-    std::vector<fs::path> parts;
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.path().extension() == ".part") parts.push_back(entry.path());
-    for (const fs::path& part : parts) fs::remove(part);
 }
 
 }  // namespace
@@ -62,24 +59,37 @@ RunFolder::RunFolder(const Path& path, const Settings& settings, Use use) : path
                             "; --force replaces it, --out DIR goes elsewhere");
         if (!same || !use.resume) clear();
     }
-    removeParts(path);
+    removeParts();
     writeWhole(settingsPath(), textOf(settings));
 }
 
 RunFolder::RunFolder(const Path& path) : path_(path) {
     if (!holdsRun(path)) throw FileError(path.string() + ": holds no run");
     lock_ = std::make_unique<FolderLock>(path);
-    removeParts(path);
+    removeParts();
+}
+
+void RunFolder::removeParts() const noexcept {
+    std::vector<Path> parts;
+    std::error_code error;
+    for (fs::recursive_directory_iterator entry(path_, error), end; !error && entry != end;
+         entry.increment(error))
+        if (entry->path().extension() == ".part") parts.push_back(entry->path());
+    for (const Path& part : parts) fs::remove(part, error);
 }
 
 // The checkpoint first: without it, nothing else counts.
 void RunFolder::clear() const {
-    for (const Path& path :
-         {checkpointPath(), recordPath(), metricsPath(), path_ / "clip.mp4", path_ / "contact.png"})
-        fs::remove(path);
-    for (const char* folder : {"frames", "export"}) fs::remove_all(path_ / folder);
+    for (const Path& path : {checkpointPath(), recordPath(), metricsPath()}) fs::remove(path);
+    removeFilm();
+    fs::remove_all(path_ / "export");
     for (const auto& entry : fs::directory_iterator(path_ / "cache"))
         if (entry.path().extension() == ".frame") fs::remove(entry.path());
+}
+
+void RunFolder::removeFilm() const {
+    for (const char* name : {"frames", "clip.mp4", "clip.webp", "contact.png"})
+        fs::remove_all(path_ / name);
 }
 
 RunFolder::Path RunFolder::framePath(int frame) const {

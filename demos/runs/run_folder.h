@@ -1,7 +1,7 @@
 // out/<scene>/: what a run leaves, and who may write there.
 //
-// frames/00001.png ..., clip.mp4, contact.png, metrics.csv, run.json, export/, and in cache/ the
-// settings (settings.txt), a file a frame and the last checkpoint (run_frame.h).
+// frames/00001.png ..., clip.mp4, clip.webp, contact.png, metrics.csv, run.json, export/, and in
+// cache/ the settings (settings.txt), a file a frame and the last checkpoint (run_frame.h).
 #pragma once
 
 #include "demos/tools/files.h"
@@ -42,6 +42,11 @@ public:
     Path settingsPath() const { return path_ / "cache" / "settings.txt"; }
     Path metricsPath() const { return path_ / "metrics.csv"; }
     Path recordPath() const { return path_ / "run.json"; }
+
+    // Pictures, clips and contact sheet.
+    void removeFilm() const;
+    // What writes leave that are killed.
+    void removeParts() const noexcept;
 
     // The run that was begun here.
     Run run() const;

@@ -8,6 +8,7 @@
 #include <plait/solver_options.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <utility>
 
 namespace plait {
@@ -99,11 +100,24 @@ Stages RunJob::stages() const {
     return all;
 }
 
+// What contacts did not hold, of scenes that measure it.
+void RunJob::warnOfFailures() const {
+    const auto& metrics = run_.scene.metrics;
+    const auto metric = std::ranges::find(metrics, "failures", &Metric::name);
+    if (metric == metrics.end()) return;
+    const auto column = static_cast<std::size_t>(metric - metrics.begin());
+    const auto failed = [&](const MetricRow& row) { return row.values[column] > 0; };
+    if (const auto first = std::ranges::find_if(rows_, failed); first != rows_.end())
+        std::fprintf(stderr, "plait: warning: contacts failed in %d frames, the first %d\n",
+                     static_cast<int>(std::ranges::count_if(rows_, failed)), first->frame);
+}
+
 void RunJob::leave(const std::string& ending) {
+    warnOfFailures();
     writeWhole(folder_->metricsPath(), csvOf(run_.scene.metrics, rows_));
     Record record{.run = run_,
                   .ending = ending,
-                  .threads = options_.threads,
+                  .threads = simulation_->threads(),
                   .resumedAt = resumedAt_,
                   .rows = rows_,
                   .hash = simulation_->hash(),

@@ -44,6 +44,7 @@ private:
     void show(const RunFrame& frame);
     void finishPictures(class Progress& progress);
     void leave(const std::string& ending);
+    void warnOfFailures() const;
     void timed(const std::string& stage, const std::function<void()>& body);
 
     const Run& run_;

@@ -4,10 +4,12 @@
 #include "demos/tools/interrupt.h"
 #include "demos/tools/words.h"
 
-#include <plait/files/mesh_file.h>
+#include <plait/files/mesh_sequence.h>
+#include <plait/measure/hash.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <functional>
 
@@ -15,6 +17,8 @@ namespace plait {
 namespace {
 
 using Names = std::vector<std::string>;
+
+constexpr double mostFrames = 1e6;  // of a run
 
 struct Setting {
     SettingOption option;
@@ -59,9 +63,10 @@ void setFrameRate(Run& run, const std::string& word) {
     const std::size_t slash = word.find('/');
     const std::string frames = word.substr(0, slash);
     const std::string seconds = slash == std::string::npos ? "1" : word.substr(slash + 1);
+    const std::string what = "--fps N or N/M (29.97 is 30000/1001, 23.976 is 24000/1001)";
     const double before = run.frameRate();
-    schedule.frameRate = {static_cast<int>(parseInteger("--fps", frames, 1, 1000000)),
-                          static_cast<int>(parseInteger("--fps", seconds, 1, 1000000))};
+    schedule.frameRate = {static_cast<int>(parseInteger(what, frames, 1, 1000000)),
+                          static_cast<int>(parseInteger(what, seconds, 1, 1000000))};
     const double substeps = std::round(schedule.substeps * before / run.frameRate());
     schedule.substeps = static_cast<int>(std::clamp(substeps, 1.0, 1e6));
 }
@@ -116,7 +121,13 @@ const std::vector<Setting>& table() {
     return all;
 }
 
-constexpr const char* knobPrefix = "knob.";
+constexpr const char *knobPrefix = "knob.", *contentPrefix = "content.";
+
+// The same words for the same file, whatever folder they are said in.
+std::string foundAnywhere(const std::filesystem::path& file) {
+    const std::filesystem::path from = std::filesystem::absolute(file);
+    return std::filesystem::weakly_canonical(from.parent_path()) / from.filename();
+}
 
 void setKnob(Knobs& knobs, const SceneEntry& entry, const std::string& name,
              const std::string& value) {
@@ -130,8 +141,8 @@ void setKnob(Knobs& knobs, const SceneEntry& entry, const std::string& name,
     else if (!knob.choices.empty())
         knobs.texts[name] =
             knob.choices[static_cast<std::size_t>(parseChoice(what, value, knob.choices))];
-    else  // a file, found again from any folder
-        knobs.texts[name] = value.empty() ? "" : std::filesystem::absolute(value).string();
+    else
+        knobs.texts[name] = value.empty() ? "" : foundAnywhere(value);
 }
 
 const std::string* find(const Settings& settings, const std::string& name) {
@@ -151,6 +162,45 @@ Knobs makeKnobs(const SceneEntry& entry, const Settings& settings) {
     for (const auto& [name, value] : settings)
         if (name.starts_with(prefix)) setKnob(knobs, entry, name.substr(prefix.size()), value);
     return knobs;
+}
+
+std::map<std::string, std::string> contentsOf(const Run& run) {
+    std::map<std::string, std::string> contents;
+    for (const Knob& knob : run.entry->knobs) {
+        if (!knob.isFile()) continue;
+        char word[20] = "";
+        if (const std::string& file = run.knobs.text(knob.name); !file.empty()) {
+            std::uint64_t hash = hashSeed;
+            forContents(file, [&](std::string_view bytes) { hash = hashOf(bytes, hash); });
+            std::snprintf(word, sizeof word, "%016llx", static_cast<unsigned long long>(hash));
+        }
+        contents[knob.name] = word;
+    }
+    return contents;
+}
+
+// The scene of what its files were when `settings` were written down, if they were.
+Scene buildScene(Run& run, const Settings& settings) {
+    const EndsAtOnce building;
+    try {
+        run.contents = contentsOf(run);
+        for (const auto& [name, content] : run.contents) {
+            const std::string* before = find(settings, contentPrefix + name);
+            if (before && *before != content)
+                throw FileError(run.knobs.text(name) + ": has changed since the run began (" +
+                                name + "); plait run --force makes it anew");
+        }
+        Scene scene = run.entry->build(run.knobs);
+        if (contentsOf(run) != run.contents)
+            throw FileError(run.entry->name + ": a file changed while it was read");
+        return scene;
+    } catch (const FileError&) {
+        throw;
+    } catch (const MeshFileError& error) {
+        throw FileError(error.what());
+    } catch (const std::exception& error) {
+        throw SceneError(run.entry->name + " cannot be built: " + error.what());
+    }
 }
 
 }  // namespace
@@ -180,18 +230,14 @@ Run makeRun(const Settings& settings) {
     Run run;
     run.entry = &sceneNamed(*scene);
     run.knobs = makeKnobs(*run.entry, settings);
-    const EndsAtOnce building;
-    try {
-        run.scene = run.entry->build(run.knobs);
-    } catch (const MeshFileError& error) {
-        throw FileError(error.what());
-    } catch (const std::exception& error) {
-        throw SceneError(run.entry->name + " cannot be built: " + error.what());
-    }
+    run.scene = buildScene(run, settings);
     if (run.knobs.quality == Quality::draft) run.scene.seconds = std::min(run.scene.seconds, 4.0);
     for (const Setting& setting : table())
         if (const std::string* value = find(settings, setting.option.name))
             setting.set(run, *value);
+    if (const double frames = run.scene.seconds * run.frameRate(); frames > mostFrames)
+        throw UsageError("--seconds and --fps: " + text(std::ceil(frames)) +
+                         " frames are more than " + text(mostFrames));
     return run;
 }
 
@@ -203,14 +249,22 @@ Settings settingsOf(const Run& run) {
         settings.emplace_back(knobPrefix + knob.name, knob.isNumber()
                                                           ? text(run.knobs.number(knob.name))
                                                           : run.knobs.text(knob.name));
+    for (const auto& [name, content] : run.contents)
+        settings.emplace_back(contentPrefix + name, content);
     for (const Setting& setting : table())
         settings.emplace_back(setting.option.name, setting.get(run));
     return settings;
 }
 
+std::string valueOf(const Settings& settings, const std::string& name) {
+    const std::string* value = find(settings, name);
+    return value ? *value : "";
+}
+
 std::string textOf(const Settings& settings) {
     std::string lines;
-    for (const auto& [name, value] : settings) lines += name + "=" + value + "\n";
+    for (const auto& [name, value] : settings)
+        if (!value.empty() || !name.starts_with(contentPrefix)) lines += name + "=" + value + "\n";
     return lines;
 }
 

@@ -4,6 +4,7 @@
 
 #include "scenes/scene.h"
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,9 @@ enum class Precision { single, full };
 struct Run {
     const SceneEntry* entry = nullptr;
     Knobs knobs;
+    // Of each knob that takes a file, a hash of all that is in what it names; "" where that is
+    // none.
+    std::map<std::string, std::string> contents;
     Scene scene;
     Precision precision = Precision::single;
 
@@ -33,19 +37,23 @@ const std::vector<SettingOption>& settingOptions();
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
 // The run that these settings ask for; what is not named has the scene's own value. Settings may
-// come in any order: "scene", "quality", "knob.NAME" and the names of settingOptions().
+// come in any order: "scene", "quality", "knob.NAME", "content.NAME" (Run::contents, of a run that
+// was: its files must be the same) and the names of settingOptions().
 //
 // A new frame rate changes the substeps in a frame, unless they are given too, so that the length
 // of a substep stays: it decides how often one looks, not what happens.
 //
-// Throws UsageError for unknown names and bad values, FileError for a mesh that cannot be read,
-// SceneError for a scene that cannot be built.
+// Throws UsageError for unknown names and bad values, FileError for a mesh that cannot be read or
+// has changed, SceneError for a scene that cannot be built.
 Run makeRun(const Settings& settings);
 
 // All settings of a run, in one fixed order: equal runs give equal text.
 Settings settingsOf(const Run& run);
 
-// One a line, "name=value".
+// "" for what is not among them.
+std::string valueOf(const Settings& settings, const std::string& name);
+
+// One a line, "name=value"; no line for the content of no file.
 std::string textOf(const Settings& settings);
 Settings settingsFrom(const std::string& text);
 

@@ -7,6 +7,7 @@
 #include <plait/solver.h>
 
 #include <chrono>
+#include <cstdio>
 
 namespace plait {
 namespace {
@@ -51,6 +52,7 @@ public:
 
     std::uint64_t hash() const override { return solver_.hash(); }
     std::size_t stateBytes() const override { return solver_.bytes(); }
+    int threads() const override { return solver_.threads(); }
 
     std::string checkpoint() const override {
         return encodeCheckpoint<Real>({number_, solver_.evaluations(), solver_.state()});
@@ -90,9 +92,15 @@ std::unique_ptr<Simulation> makeSimulation(const Run& run, int threads) {
     options.interrupt = stopIfInterrupted;
     const EndsAtOnce building;
     try {
+        std::unique_ptr<Simulation> simulation;
         if (run.precision == Precision::single)
-            return std::make_unique<SimulationIn<float>>(run, options);
-        return std::make_unique<SimulationIn<double>>(run, options);
+            simulation = std::make_unique<SimulationIn<float>>(run, options);
+        else
+            simulation = std::make_unique<SimulationIn<double>>(run, options);
+        if (simulation->threads() < threads)
+            std::fprintf(stderr, "plait: warning: %d of %d threads: the system starts no more\n",
+                         simulation->threads(), threads);
+        return simulation;
     } catch (const std::invalid_argument& error) {
         throw SceneError(run.entry->name + " cannot be built: " + error.what());
     }

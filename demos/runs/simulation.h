@@ -25,6 +25,8 @@ public:
     virtual std::uint64_t hash() const = 0;
     // Of all states that the solver holds.
     virtual std::size_t stateBytes() const = 0;
+    // That take part, at most those asked for.
+    virtual int threads() const = 0;
 
     // Everything that decides the future, as bytes of cache/checkpoint.
     virtual std::string checkpoint() const = 0;
@@ -32,7 +34,8 @@ public:
     virtual void restore(const std::string& checkpoint, const std::string& name) = 0;
 };
 
-// `run` must live as long. Throws SceneError where the world or its options are at fault.
+// `run` must live as long. Warns where the system starts fewer threads. Throws SceneError where the
+// world or its options are at fault.
 std::unique_ptr<Simulation> makeSimulation(const Run& run, int threads);
 
 // All of its lead, with progress. Throws Interrupted.

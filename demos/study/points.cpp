@@ -40,13 +40,6 @@ Words columnsOf(const Study& study) {
     return columns;
 }
 
-const std::string& valueOf(const Settings& settings, const std::string& name) {
-    static const std::string none;
-    for (const auto& [key, value] : settings)
-        if (key == name) return value;
-    return none;
-}
-
 // A word of a table: without what separates words and lines.
 std::string plain(std::string word) {
     std::replace(word.begin(), word.end(), ',', ';');

@@ -55,10 +55,7 @@ std::vector<std::string> Arguments::values(const std::string& name) const {
 Arguments parseArguments(const Command& command, const std::vector<std::string>& words) {
     Arguments arguments;
     arguments.line = "build/plait " + command.name;
-    for (const std::string& word : words)
-        arguments.line += word.find_first_of(" *?;&|<>$()\"\\") == std::string::npos
-                              ? " " + word
-                              : " '" + word + "'";
+    for (const std::string& word : words) arguments.line += " " + shellWord(word);
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (!isOption(words[i])) {
             arguments.operands.push_back(words[i]);

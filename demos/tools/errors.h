@@ -1,6 +1,8 @@
 // How a command ends: design.md section 9 in one place. Every error is one line.
 #pragma once
 
+#include "render/pictures/whole_file.h"  // FileError
+
 #include <stdexcept>
 
 namespace plait {
@@ -21,10 +23,6 @@ struct UsageError : std::runtime_error {
 };
 
 struct SceneError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-struct FileError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 

@@ -14,12 +14,7 @@ volatile std::sig_atomic_t signalled = 0;
 std::atomic<int> endsAtOnce = 0;
 
 void note(int) {
-    if (endsAtOnce > 0) {
-        constexpr char line[] = "plait: interrupted\n";
-        // Nothing is left to do about a line that cannot be written.
-        [[maybe_unused]] const auto written = write(STDERR_FILENO, line, sizeof line - 1);
-        _exit(exitInterrupted);
-    }
+    if (endsAtOnce > 0) endInterrupted();
     signalled = 1;
 }
 
@@ -37,6 +32,14 @@ bool interrupted() { return signalled != 0; }
 
 void stopIfInterrupted() {
     if (interrupted()) throw Interrupted("interrupted");
+}
+
+// Also within a signal.
+void endInterrupted() {
+    constexpr char line[] = "plait: interrupted\n";
+    // Nothing is left to do about a line that cannot be written.
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, line, sizeof line - 1);
+    _exit(exitInterrupted);
 }
 
 EndsAtOnce::EndsAtOnce() {

@@ -1,6 +1,7 @@
 // A queue between two threads that holds only so much: the faster one waits.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
@@ -15,14 +16,21 @@ class Pipe {
 public:
     explicit Pipe(std::size_t capacity) : capacity_(capacity) {}
 
-    // Waits for room. False if the pipe is closed: nobody will take it.
-    bool push(T item) {
+    // Waits for room, and calls `ask` over and over meanwhile, which may throw. False if the pipe
+    // is closed: nobody will take it.
+    template <class Ask>
+    bool push(T item, const Ask& ask) {
         std::unique_lock lock(mutex_);
-        changed_.wait(lock, [&] { return closed_ || items_.size() < capacity_; });
+        while (!changed_.wait_for(lock, std::chrono::milliseconds(50),
+                                  [&] { return closed_ || items_.size() < capacity_; }))
+            ask();
         if (closed_) return false;
         items_.push_back(std::move(item));
         changed_.notify_all();
         return true;
+    }
+    bool push(T item) {
+        return push(std::move(item), [] {});
     }
 
     // Waits for an item; none once the pipe is closed and empty.

@@ -59,6 +59,15 @@ std::string joined(const std::vector<std::string>& words) {
     return line;
 }
 
+std::string shellWord(const std::string& word) {
+    constexpr const char* plain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+    return quoted + "'";
+}
+
 std::string text(double value) { return shortest(value); }
 std::string text(float value) { return shortest(value); }
 

@@ -16,6 +16,9 @@ std::string nearest(const std::string& word, const std::vector<std::string>& wor
 // "a, b, c".
 std::string joined(const std::vector<std::string>& words);
 
+// As one word of a POSIX shell: quoted unless it is plain.
+std::string shellWord(const std::string& word);
+
 // The shortest text that reads back as the same number.
 std::string text(double value);
 std::string text(float value);

@@ -21,7 +21,12 @@ namespace {
 
 using Pairs = std::set<Candidate>;
 
-Shape frame(const std::filesystem::path& file) { return readPly(file.string(), gunzip(file)); }
+Shape frame(const std::filesystem::path& file) {
+    MeshBuilder mesh;
+    mesh.file = file.string();
+    readPly(mesh, gunzip(file));
+    return mesh.finished();
+}
 
 // A step, and the pairs that collide in it: of points and triangles, of edges.
 struct CcdScene {

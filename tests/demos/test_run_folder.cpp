@@ -8,6 +8,7 @@
 
 #include <plait/solver.h>
 
+#include <algorithm>
 #include <csignal>
 #include <ctime>
 
@@ -217,6 +218,23 @@ TEST_CASE("interrupted, a run stops between frames and tells so", "[program]") {
               contents(folder / "straight/metrics.csv"));
         CHECK(hashIn(folder / "stopped") == hashIn(folder / "straight"));
     }
+}
+
+// A frame of some 20 s: where a signal waits for its end, the frame is there.
+TEST_CASE("interrupted within a frame, a run does not wait for its end", "[program][strangers]") {
+    const TemporaryFolder folder;
+    std::vector<std::string> words = longRun(folder, "stopped");
+    *std::ranges::find(words, "200") = "1000000";
+    const Program program(folder, words);
+    while (!fs::exists(folder / "stopped/cache")) sleepFor(0.001);
+    sleepFor(0.1);
+    program.signal(SIGINT);
+    const Outcome outcome = program.wait();
+    CHECK(outcome.status == 130);
+    CHECK(outcome.err == "plait: interrupted\n");
+    CHECK(isWhole(folder / "stopped"));
+    CHECK_FALSE(fs::exists(folder / "stopped/cache/00001.frame"));
+    CHECK(contains(contents(folder / "stopped/run.json"), "\"ending\": \"interrupted\""));
 }
 
 TEST_CASE("two runs do not share a folder", "[program]") {
