@@ -45,6 +45,11 @@ public:
     virtual void countAt(std::vector<int>& /*counts*/) const {}
     virtual void relaxBy(const std::vector<int>& /*counts*/) {}
 
+    // What rides on vertices of this set, as a director does on its edge, goes along where contacts
+    // move those: noteRides before they do, carryRides after.
+    virtual void noteRides(const Sweep<Real>&) {}
+    virtual void carryRides(const Sweep<Real>&) {}
+
     // The last word on positions, after all sweeps, in a world with contacts: in turns, contacts
     // last. Returns the counted work, 0 where nothing was moved.
     virtual long finish(const Sweep<Real>&, Workers&) { return 0; }

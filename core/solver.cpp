@@ -30,7 +30,7 @@ void Solver<Real>::substep(double fraction) {
         sweepColumns();  // x <- x + W J^T dlambda, set by set
         smooth();
     }
-    finishSets();
+    carrying([&] { finishSets(); });
     update(second);  // v <- (x - x1) / h, or (3 x - 4 x1 + x2) / 2 h
     forContacts([&](auto& set, int s) { set.rebound(state_, drawerOf(s)); });
     dampRates();
@@ -54,7 +54,7 @@ void Solver<Real>::sweepColumns() {
         if (chebyshev_) chebyshev_->begin(column_, state_);
         sweep(plan_.constraints(column));
         if (chebyshev_) chebyshev_->mix(state_, workers_);
-        sweep(plan_.contacts(column));
+        carrying([&] { sweep(plan_.contacts(column)); });
         ++column_;
     }
 }

@@ -91,6 +91,16 @@ private:
     void forContacts(const Body& body) const {
         for (const auto& [set, place] : contactSets_) body(*set, place);
     }
+    // body(), and what rides on what it moves goes along.
+    template <class Body>
+    void carrying(const Body& body) {
+        const bool any = !contacts_.empty();
+        for (std::size_t s = 0; any && s < sets_.size(); ++s)
+            sets_[s]->noteRides(sweepOf(static_cast<int>(s)));
+        body();
+        for (std::size_t s = 0; any && s < sets_.size(); ++s)
+            sets_[s]->carryRides(sweepOf(static_cast<int>(s)));
+    }
     void update(bool second);
     void dampRates();
     Sweep<Real> sweepOf(int set);

@@ -1,0 +1,48 @@
+// Rods with a material frame, described by their wire: no stiffness is fitted.
+#pragma once
+
+#include "../world.h"
+
+#include <vector>
+
+namespace plait {
+
+// What a wire is made of, and its section: a rectangle of `along` by `across` the director, or,
+// without the latter, a circle of the diameter `along`.
+struct Wire {
+    double youngs = 200e9;  // Pa; steel
+    double poisson = 0.3;
+    double density = 7850;  // kg/m^3
+    double along = 1e-3;    // m
+    double across = 0;      // m
+
+    double area() const;         // m^2
+    double bending() const;      // N m^2, about the director
+    double bendingSide() const;  // N m^2, across it
+    double twisting() const;     // N m^2; of a rectangle within 0.2 % (Roark, "Formulas for stress
+                                 // and strain", table of torsion)
+    double gyration() const;     // m, about the axis
+};
+
+struct RodOptions {
+    Wire wire{};
+    // Where the director of each edge points, one for each or one for all; only what is across the
+    // edge counts. None: any that does not twist.
+    std::vector<Vec<double>> toward{};
+    double arm =
+        0;  // m, from an edge to its director; 0: half the mean edge, at least twice the gyration
+};
+
+struct Rod {
+    Range points, directors;  // a director an edge, in the order of edges
+};
+
+// Adds a curve, its vertices in order, each joined to the next by an edge and the last one to the
+// first if it is closed; and the set that holds it: lengths exactly, bending and twist as its wire
+// does, from the shape that it has at rest. Directors have the wire's inertia about its axis, which
+// their edge's vertices lack, so that the mass is the wire's. To clamp an end pin two points and
+// the director between them. Throws std::invalid_argument, naming the rod and the value, for one
+// out of range, a curve of another kind, and an arm too short for the inertia.
+Rod addRod(World& world, const Shape& curve, const RodOptions& options, SetOptions set);
+
+}  // namespace plait

@@ -1,0 +1,267 @@
+// All rows along curves at once: against dense linear algebra, and where there is no solution.
+#include "tests/catch.h"
+#include "tests/hand_state.h"
+#include "tests/random.h"
+#include "tests/report.h"
+
+#include <plait/constraints/kinds.h>
+#include <plait/numbers/finite.h>
+#include <plait/rods/bend_vector.h>
+#include <plait/rods/chain_set.h>
+#include <plait/rods/frame_rows.h>
+#include <plait/solver.h>
+#include <plait/stencils.h>
+
+#include <Eigen/Dense>
+#include <cstring>
+
+using namespace plait;
+using namespace plait::test;
+
+namespace {
+
+using Points = std::vector<Vec<double>>;
+
+constexpr double h = 0.01;  // s
+
+// Curves of any vertices with random rows of three kinds, and the one set of these.
+struct Net {
+    World world;
+    std::vector<std::vector<int>> curves;
+    Rows<Stretch> links;
+    Rows<BendVector> bends;
+    Rows<DirectorAcross> across;
+
+    // Of `count` vertices, closed or with a pinned end or with two.
+    void add(Random& random, int count, bool closed, int pins, bool more = true) {
+        std::vector<Vec<double>> x{random.point(1)};
+        while (static_cast<int>(x.size()) < count) x.push_back(x.back() + random.point(1));
+        const Range range = world.add({SimplicialComplex(count), x});
+        for (int i = 0; i < count; ++i) world.mass[range.first + i] = random.uniform(0.1, 3);
+        const auto at = [&](int i) { return range.first + i % count; };
+        for (int i = 0; i + 1 < count + closed; ++i) {
+            links.ids.insert(links.ids.end(), {at(i), at(i + 1)});
+            const double soft = random.below(2) ? 0 : random.uniform(0, 1e-3);
+            links.rows.push_back({random.uniform(0.5, 1.5), soft, soft});
+        }
+        for (int i = 0; i + 2 < count + 2 * closed; ++i) {
+            bends.ids.insert(bends.ids.end(), {at(i), at(i + 1), at(i + 2)});
+            bends.rows.push_back({random.uniform(1e-5, 1e-3)});
+            if (i % 5 || !more) continue;
+            across.ids.insert(across.ids.end(), {at(i + 2), at(i), at(i + 1)});
+            across.rows.push_back({random.uniform(1e-5, 1e-3)});
+        }
+        if (pins > 0) world.pin({range.first});
+        if (pins > 1) world.pin({range.last - 1});
+        std::vector<int> curve;
+        for (int v = range.first; v < range.last; ++v) curve.push_back(v);
+        curves.push_back(curve);
+    }
+
+    template <class Real>
+    std::unique_ptr<ChainSet<Real>> set() const {
+        typename ChainSet<Real>::Parts parts;
+        parts.push_back(std::make_unique<ChainPartOf<BendVector>>(
+            std::make_shared<const Rows<BendVector>>(bends)));
+        parts.push_back(
+            std::make_unique<ChainPartOf<Stretch>>(std::make_shared<const Rows<Stretch>>(links)));
+        parts.push_back(std::make_unique<ChainPartOf<DirectorAcross>>(
+            std::make_shared<const Rows<DirectorAcross>>(across)));
+        return std::make_unique<ChainSet<Real>>(std::move(parts), curves, world.pinned, false);
+    }
+};
+
+template <class Real>
+Sweep<Real> sweepOf(State<Real>& state, double strength = 1) {
+    return {.particles = &state.particles[0].x.x,
+            .air = nullptr,
+            .out = &state.velocity[0].v.x,
+            .inverseH2 = static_cast<Real>(1 / (h * h)),
+            .keep = 1,
+            .strength = static_cast<Real>(strength)};
+}
+
+// J, C and compliance of all rows of the net, dense.
+struct Dense {
+    Eigen::MatrixXd j;
+    Eigen::VectorXd c, compliance, w;
+
+    Dense(const Net& net, const State<double>& state) {
+        const Eigen::Index vertices = state.count();
+        const Eigen::Index rows =
+            net.links.size() + 2 * net.bends.size() + Eigen::Index(net.across.size());
+        j = Eigen::MatrixXd::Zero(rows, 3 * vertices);
+        c = compliance = Eigen::VectorXd::Zero(rows);
+        w = Eigen::VectorXd(3 * vertices);
+        for (int v = 0; v < state.count(); ++v)
+            w.segment<3>(3 * v).setConstant(state.particles[static_cast<std::size_t>(v)].w);
+        Eigen::Index row = 0;
+        const auto put = [&](const int* ids, int arity, const Vec<double>* g, double value,
+                             double soft) {
+            for (int a = 0; a < arity; ++a)
+                j.block<1, 3>(row, 3 * ids[a]) += Eigen::RowVector3d(g[a].x, g[a].y, g[a].z);
+            c(row) = value;
+            compliance(row++) = soft;
+        };
+        const auto where = [&]<int arity>(const int* ids, Stencil<Vec<double>, arity>& x) {
+            for (int a = 0; a < arity; ++a) x[a] = state.position(ids[a]) - state.position(ids[0]);
+        };
+        for (int i = 0; i < net.links.size(); ++i) {
+            const int* const ids = &net.links.ids[2 * static_cast<std::size_t>(i)];
+            const auto& link = net.links.rows[static_cast<std::size_t>(i)];
+            Stencil<Vec<double>, 2> x, g;
+            where(ids, x);
+            const double value = Stretch::evaluate(link, x, g);
+            put(ids, 2, g.begin(), value, link.compliance);
+        }
+        for (int i = 0; i < net.bends.size(); ++i) {
+            const int* const ids = &net.bends.ids[3 * static_cast<std::size_t>(i)];
+            const auto& bend = net.bends.rows[static_cast<std::size_t>(i)];
+            Stencil<Vec<double>, 3> x;
+            where(ids, x);
+            BendVector::Gradients<double> g;
+            const auto value = BendVector::evaluate(bend, x, x, g);
+            for (int k = 0; k < 2; ++k) put(ids, 3, g[k].begin(), value[k], bend.compliance);
+        }
+        for (int i = 0; i < net.across.size(); ++i) {
+            const int* const ids = &net.across.ids[3 * static_cast<std::size_t>(i)];
+            const auto& hold = net.across.rows[static_cast<std::size_t>(i)];
+            Stencil<Vec<double>, 3> x, g;
+            where(ids, x);
+            const double value = DirectorAcross::evaluate(hold, x, g);
+            put(ids, 3, g.begin(), value, hold.compliance);
+        }
+    }
+
+    Eigen::VectorXd moves(const Eigen::VectorXd& right, double inverseH2) const {
+        Eigen::MatrixXd a = j * w.asDiagonal() * j.transpose();
+        a += Eigen::MatrixXd((inverseH2 * compliance).asDiagonal());
+        return w.asDiagonal() * (j.transpose() * a.completeOrthogonalDecomposition().solve(right));
+    }
+};
+
+Net randomNet(Random& random, int trial) {
+    Net net;
+    net.add(random, 4 + random.below(30), false, random.below(3));
+    if (trial % 2) net.add(random, 20 + random.below(20), trial % 4 == 1, random.below(2));
+    return net;
+}
+
+Eigen::VectorXd numbersOf(const Points& x) {
+    Eigen::VectorXd all(3 * std::ssize(x));
+    for (Eigen::Index v = 0; v < std::ssize(x); ++v)
+        all.segment<3>(3 * v) << x[v].x, x[v].y, x[v].z;
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("chains: an evaluation is one Newton step, as a dense system makes it", "[rods]") {
+    Random random(5);
+    double worst = 0;
+    for (int trial = 0; trial < 60; ++trial) {
+        const Net net = randomNet(random, trial);
+        State<double> state = stateOf<double>(net.world);
+        const Dense dense(net, state);
+        Workers workers{1};
+        const double strength = random.uniform(0, 1), inverseH2 = 1 / (h * h);
+        const auto set = net.set<double>();
+        set->begin({h, 1}, workers);
+        set->project(sweepOf(state, strength), Direction::forward, workers);
+        Points moved;
+        for (int v = 0; v < state.count(); ++v) moved.push_back(state.particles[v].d);
+        const Eigen::VectorXd exact = strength * dense.moves(-dense.c, inverseH2);
+        if (exact.norm() > 1) continue;  // a step that long is cut
+        worst = std::max(worst, (numbersOf(moved) - exact).norm());
+    }
+    CHECK(report("where vertices go, m", worst, 1e-9));
+}
+
+TEST_CASE("chains: rates of all rows at once, as a dense system has them", "[rods]") {
+    Random random(6);
+    double worst = 0;
+    for (int trial = 0; trial < 60; ++trial) {
+        Net net;  // rows that say nothing twice
+        for (const int pins : {0, 1}) net.add(random, 4 + random.below(30), false, pins, false);
+        State<double> state = stateOf<double>(net.world);
+        Points before, after;
+        for (int v = 0; v < state.count(); ++v) {
+            state.velocity[v].v = net.world.pinned[v] ? Vec<double>{} : random.point(1);
+            before.push_back(state.velocity[v].v);
+        }
+        const Dense dense(net, state);
+        Workers workers{1};
+        const double strength = random.uniform(0, 1);
+        net.set<double>()->damp(sweepOf(state, strength), workers);
+        for (int v = 0; v < state.count(); ++v) after.push_back(state.velocity[v].v);
+        const Eigen::VectorXd v = numbersOf(before);
+        const Eigen::VectorXd exact = v + strength * dense.moves(-dense.j * v, 0);
+        worst = std::max(worst, (numbersOf(after) - exact).norm());
+    }
+    CHECK(report("velocities, m/s", worst, 1e-7));
+}
+
+TEST_CASE("chains: the same bits from any number of threads", "[rods][threads]") {
+    Random random(8);
+    Net net;
+    for (int curve = 0; curve < 40; ++curve) net.add(random, 12, curve % 3 == 0, curve % 2);
+    std::vector<State<float>> states;
+    for (const int threads : {1, 2, 5}) {
+        states.push_back(stateOf<float>(net.world));
+        Workers workers{threads};
+        const auto set = net.set<float>();
+        set->begin({h, 1}, workers);
+        for (int round = 0; round < 3; ++round)
+            set->project(sweepOf(states.back()), Direction::forward, workers);
+    }
+    for (int v = 0; v < states[0].count(); ++v) {
+        REQUIRE(isFinite(states[0].particles[v]));
+        for (const State<float>& other : states)
+            REQUIRE(std::memcmp(&other.particles[v], &states[0].particles[v],
+                                sizeof(Particle<float>)) == 0);
+    }
+}
+
+// [SC16]
+TEST_CASE("chains: ends held further apart than the curve is long stay finite", "[rods]") {
+    for (const double off : {0.0, 1e-9, 0.1}) {
+        World world;
+        const Range rod = world.add(chain({.links = 20, .to = {1, off, 0}}));
+        world.pin({rod.first, rod.last - 1});
+        Rows<Stretch> links;
+        Chains chains;
+        for (int v = rod.first; v + 1 < rod.last; ++v) {
+            links.ids.insert(links.ids.end(), {v, v + 1});
+            links.rows.push_back({0.04, 0, 0});
+        }
+        chains.add(links);
+        chains.addCurve(pointStencils(rod));
+        chains.constrain(world, {.name = "rod"});
+        Solver<float> solver(world, {.schedule = {.substeps = 10, .iterations = 1}});
+        for (int frame = 0; frame < 24; ++frame) solver.frame();
+        for (const Vec<double>& x : solver.positions()) CHECK(length(x) < 2);
+    }
+}
+
+TEST_CASE("chains: what cannot be planned is refused", "[rods]") {
+    World world;
+    const Range rod = world.add(chain({.links = 3}));
+    const auto solve = [&](const Chains& chains) {
+        World w = world;
+        chains.constrain(w, {.name = "rod"});
+        Solver<float>(w, SolverOptions{});
+    };
+    Rows<Stretch> links{{0, 1, 1, 2, 2, 3}, std::vector<Stretch::Row<double>>(3), {}, {}};
+    Chains off, twice, buckles;
+    off.add(links);
+    off.addCurve({0, 1, 2});
+    CHECK_THROWS_WITH(solve(off), Catch::Contains("vertex 3 is not on the curve"));
+    twice.add(links);
+    twice.addCurve({0, 1, 2, 3});
+    twice.addCurve({3});
+    CHECK_THROWS_WITH(solve(twice), Catch::Contains("vertex 3 lies on two curves"));
+    links.rows[0].compression = slack;
+    buckles.add(links);
+    buckles.addCurve(pointStencils(rod));
+    CHECK_THROWS_WITH(solve(buckles), Catch::Contains("one side"));
+}
