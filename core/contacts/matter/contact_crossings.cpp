@@ -12,8 +12,8 @@ namespace {
 constexpr int innerPasses = 5;  // M 4.2
 // In a substep, before contacts give up: what goes back is in the way of others, so that each round
 // reaches a ring of vertices further, and costs as much as looking for pairs. A sheet that falls on
-// a ball in few substeps takes up to 27, a strip twisted ten turns 38, and less than a pair for five
-// vertices in all; where a body jumps, tens of pairs a vertex cross again and again.
+// a ball in few substeps takes up to 27, a strip twisted ten turns 38, and less than a pair for
+// five vertices in all; where a body jumps, tens of pairs a vertex cross again and again.
 constexpr int mostBackRounds = 64, mostBackPairs = 16;  // the latter a vertex
 
 // Of two surfaces, which cross or do not.
