@@ -23,7 +23,10 @@ void Solver<Real>::substep(double fraction) {
     predict(second);      // x <- x + h v, or (4 x - x1) / 3 + 2/3 h v
     movePins(fraction);   // x <- where the artist wants it
     beginSets(fraction);  // lambda <- 0
-    forContacts([&](auto& set, int s) { set.strike(sweepOf(s), state_, drawerOf(s), workers_); });
+    carrying([&] {
+        forContacts(
+            [&](auto& set, int s) { set.strike(sweepOf(s), state_, drawerOf(s), workers_); });
+    });
     if (whole_) {
         takeWhole();  // x <- where another method has it (methods/)
     } else {
@@ -136,7 +139,7 @@ void Solver<Real>::smooth() {
         }
         for (std::size_t i = 0; i < sums_.size(); ++i) state_.particles[i].d += sums_[i].v;
     }
-    if (options_.smoothing > 0) evaluate(contacts_, Direction::forward);
+    if (options_.smoothing > 0) carrying([&] { evaluate(contacts_, Direction::forward); });
 }
 
 template <class Real>

@@ -18,8 +18,8 @@ struct ContactCounts {
     long enabled = 0;   // of these, taken back
     long limited = 0;   // times that a contact reached the limit of displacement
     long givenUp = 0;   // substeps in which nothing moved, since what crossed did not end
-    long pressed = 0;  // pairs of particles or curves that came to be within a quarter of their gap
-    long cut = 0;      // substeps in which more bounces were left than are followed
+    long pressed = 0;   // pairs of a particle and another or a curve, within a quarter of their gap
+    long cut = 0;       // substeps in which more bounces were left than are followed
 
     // What was not held, all in all.
     long failures() const { return failed + disabled + givenUp + pressed + cut; }

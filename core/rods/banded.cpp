@@ -16,7 +16,9 @@ void Banded::solveWide(std::vector<B>& b, std::span<const double> least) {
     const int near = W > 0 ? W : halfWidth_, width = W > 0 ? W + 1 + border_ : width_;
     const int last = band() + near;  // where the border is
     // The inverse of each pivot stands in its place from here on.
-    const auto invert = [&](int i, double* row) { return *row = *row > least[i] ? 1 / *row : 0; };
+    const auto invert = [&](int i, double* row) {
+        return *row = *row > (least.empty() ? 0 : least[i]) ? 1 / *row : 0;
+    };
     for (int i = 0; i < band(); ++i) {
         double* const row = &entries_[i * width];
         const double* const edge = row + near + 1;
@@ -61,7 +63,7 @@ void Banded::solveWide(std::vector<B>& b, std::span<const double> least) {
 }
 
 template <class B>
-void Banded::solveAny(std::span<B> b, std::vector<B>& padded, std::span<const double> least) {
+void Banded::solveAny(std::vector<B>& b, std::vector<B>& padded, std::span<const double> least) {
     padded.assign(rows_ + halfWidth_, B{});
     for (int i = 0; i < rows_; ++i) padded[rowAt(i)] = b[i];
     switch (halfWidth_) {
@@ -83,9 +85,9 @@ void Banded::solveAny(std::span<B> b, std::vector<B>& padded, std::span<const do
     for (int i = 0; i < rows_; ++i) b[i] = padded[rowAt(i)];
 }
 
-void Banded::solve(std::span<double> b, std::span<const double> least) { solveAny(b, one_, least); }
-void Banded::solve(std::span<Vec<double>> b, std::span<const double> least) {
-    solveAny(b, three_, least);
+void Banded::solve(std::vector<double>& b, std::span<const double> least) {
+    solveAny(b, one_, least);
 }
+void Banded::solve(std::vector<Vec<double>>& b) { solveAny(b, three_, {}); }
 
 }  // namespace plait

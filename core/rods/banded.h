@@ -17,8 +17,6 @@ public:
     Banded(int rows, int halfWidth, int border);
 
     int rows() const { return rows_; }
-    int halfWidth() const { return halfWidth_; }
-    int border() const { return border_; }
 
     // A(i, j) and A(j, i), i <= j: both in the band and at most halfWidth apart, or j in the
     // border.
@@ -31,11 +29,11 @@ public:
     std::span<double> entries() { return entries_; }
     void clear();
 
-    // Turns `b` into x, or three right-hand sides at once. An unknown whose pivot is at most
-    // `least` of its row says nothing that those before it do not say: it is 0. Leaves A factored,
-    // which is of no further use.
-    void solve(std::span<double> b, std::span<const double> least);
-    void solve(std::span<Vec<double>> b, std::span<const double> least);
+    // Turns `b` into x. An unknown whose pivot is at most `least` of its row says nothing that
+    // those before it do not say: it is 0. Leaves A factored, which is of no further use.
+    void solve(std::vector<double>& b, std::span<const double> least);
+    // Of a definite system, three right-hand sides at once.
+    void solve(std::vector<Vec<double>>& b);
 
 private:
     // Behind the band there are as many empty rows as it is wide, so that no loop ends early.
@@ -46,7 +44,7 @@ private:
     template <int W, class B>
     void solveWide(std::vector<B>& b, std::span<const double> least);
     template <class B>
-    void solveAny(std::span<B> b, std::vector<B>& padded, std::span<const double> least);
+    void solveAny(std::vector<B>& b, std::vector<B>& padded, std::span<const double> least);
 
     int rows_ = 0, halfWidth_ = 0, border_ = 0, width_ = 1;
     std::vector<double> entries_;  // by row i: A(i, i) ... A(i, i + halfWidth), then the border

@@ -1,5 +1,7 @@
 #include "chain_set.h"
 
+#include "../sets/tree_solve.h"  // redundant
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -7,37 +9,18 @@
 namespace plait {
 namespace {
 
-// A row that those before it fix already, to this part of its own weight, says nothing new. Well
-// above rounding, and below the pivots of mass ratios up to 1e12.
-constexpr double redundant = 1e-12;
-
-// How a vertex answers an impulse: w I - q q^T.
-template <class Real>
-Vec<double> response(const Sweep<Real>& sweep, int vertex, const Vec<double>& p) {
-    const Vec<double> moved = double(sweep.particles[8 * vertex + 3]) * p;
-    if (!sweep.air) return moved;
-    const Vec<double> q = three(sweep.air + 4 * vertex);
-    return moved - dot(q, p) * q;
-}
-
 // The d of both ends together.
 template <class Real>
-Vec<Real> movedBy(const Sweep<Real>& sweep, const std::array<int, 2>& edge) {
-    const Real *const a = sweep.particles + 8 * edge[0] + 4, *const b =
-                                                                 sweep.particles + 8 * edge[1] + 4;
-    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+Vec<double> movedBy(const Sweep<Real>& sweep, const std::array<int, 2>& edge) {
+    return three(sweep.particles + 8 * edge[0] + 4) + three(sweep.particles + 8 * edge[1] + 4);
 }
 
 }  // namespace
 
 template <class Real>
 ChainSet<Real>::ChainSet(Parts parts, std::span<const std::vector<int>> curves,
-                         std::span<const unsigned char> pinned, bool geometricStiffness,
-                         std::vector<ChainRider> riders)
-    : parts_(std::move(parts)),
-      turns_(geometricStiffness),
-      riders_(std::move(riders)),
-      middles_(riders_.size()) {
+                         std::span<const unsigned char> pinned, std::vector<ChainRider> riders)
+    : parts_(std::move(parts)), riders_(std::move(riders)), middles_(riders_.size()) {
     std::vector<ChainStencils> stencils;
     for (const auto& part : parts_) {
         stencils.push_back({part->ids(), part->arity(), part->values(), part->areLinks()});
@@ -49,12 +32,12 @@ ChainSet<Real>::ChainSet(Parts parts, std::span<const std::vector<int>> curves,
             turning(static_cast<int>(vertices), plan.linkWidth, plan.linkBorder);
         const std::vector<double> zeros(rows, 0);
         std::vector<Coupling> couplings;
-        for (const auto& [i, j, a, b] : plan.couplings)
-            couplings.push_back({system.place(i, j), i, j, a, b});
+        for (const ChainCoupling& c : std::exchange(plan.couplings, {}))
+            couplings.push_back({c, system.place(c.i, c.j)});
         curves_.push_back({std::move(plan), std::move(system), std::vector<ChainRow>(rows),
-                           std::move(couplings), zeros, zeros, zeros,
-                           std::vector<Vec<double>>(vertices), std::move(turning),
-                           std::vector<Vec<double>>(vertices), std::vector<double>(vertices)});
+                           std::move(couplings), zeros, zeros, zeros, std::move(turning),
+                           std::vector<Response<double, true>>(vertices),
+                           std::vector<Vec<double>>(vertices), std::vector<Vec<double>>(vertices)});
     }
 }
 
@@ -79,13 +62,18 @@ void ChainSet<Real>::forCurves(Workers& workers, const Body& body) {
 
 template <class Real>
 void ChainSet<Real>::evaluate(Curve& curve, const Sweep<Real>& sweep) const {
+    for (std::size_t k = 0; k < curve.responses.size(); ++k) {
+        const int v = curve.plan.vertices[k];
+        curve.responses[k] = {double(sweep.particles[8 * v + 3]),
+                              sweep.air ? three(sweep.air + 4 * v) : Vec<double>{}};
+    }
     for (std::size_t i = 0; i < curve.plan.places.size(); ++i) {
         const ChainPlace& place = curve.plan.places[i];
         if (place.value == 0) parts_[place.part]->evaluate(place.row, sweep, &curve.rows[i]);
         for (int a = 0; a < place.arity; ++a)
             if (place.at[a] >= 0)
                 curve.rows[i].answer[a] =
-                    response(sweep, curve.plan.vertices[place.at[a]], curve.rows[i].gradient[a]);
+                    curve.responses[place.at[a]].of(curve.rows[i].gradient[a]);
     }
 }
 
@@ -135,7 +123,7 @@ void ChainSet<Real>::turn(Curve& curve, const Sweep<Real>& sweep) const {
     curve.turning.clear();
     std::ranges::fill(curve.turned, Vec<double>{});
     for (int k = 0; k < curve.turning.rows(); ++k)
-        curve.turning.at(k, k) = 1 / double(sweep.particles[8 * plan.vertices[k] + 3]);
+        curve.turning.at(k, k) = 1 / curve.responses[k].w;
     for (const ChainLink& link : plan.links) {
         const double tension = -curve.change[link.row];
         if (!(tension > 0)) continue;
@@ -150,12 +138,11 @@ void ChainSet<Real>::turn(Curve& curve, const Sweep<Real>& sweep) const {
         if (link.a >= 0 && link.b >= 0)
             curve.turning.at(std::min(link.a, link.b), std::max(link.a, link.b)) -= stiffness;
     }
-    curve.turning.solve(std::span(curve.turned), curve.zeros);
+    curve.turning.solve(curve.turned);
     for (std::size_t k = 0; k < curve.moves.size(); ++k) curve.moves[k] += curve.turned[k];
 }
 
-// The part of the step to take: no vertex goes further than the curve is long. A contradiction that
-// is all but straight would else throw it millions of metres; no sound step is so long.
+// The part of the step to take, as of DirectSet: no vertex goes further than the curve is long.
 template <class Real>
 double ChainSet<Real>::bounded(const Curve& curve, const Sweep<Real>& sweep) const {
     double size = 0, furthest = 0;
@@ -163,6 +150,15 @@ double ChainSet<Real>::bounded(const Curve& curve, const Sweep<Real>& sweep) con
         size += length(apart(link, sweep, curve)) + std::fabs(curve.rows[link.row].c);
     for (const Vec<double>& move : curve.moves) furthest = std::max(furthest, length(move));
     return size > 0 && furthest > size ? size / furthest : 1;
+}
+
+// To the three numbers of each vertex.
+template <class Real>
+void ChainSet<Real>::add(const Curve& curve, double strength, Real* to, int stride) {
+    for (std::size_t k = 0; k < curve.moves.size(); ++k) {
+        Real* const v = to + stride * curve.plan.vertices[k];
+        put(v, three(v) + strength * curve.moves[k]);
+    }
 }
 
 template <class Real>
@@ -176,16 +172,13 @@ void ChainSet<Real>::project(const Sweep<Real>& sweep, Direction, Workers& worke
             curve.lambda[i] *= keep;
             curve.change[i] = -(row.c + row.compliance * inverseH2 * curve.lambda[i]);
         }
-        curve.system.solve(std::span(curve.change), curve.least);
+        curve.system.solve(curve.change, curve.least);
         gather(curve);
-        if (turns_) turn(curve, sweep);
+        turn(curve, sweep);
         const double strength = double(sweep.strength) * bounded(curve, sweep);
         for (std::size_t i = 0; i < curve.change.size(); ++i)
             curve.lambda[i] += strength * curve.change[i];
-        for (std::size_t k = 0; k < curve.moves.size(); ++k) {
-            Real* const d = sweep.particles + 8 * curve.plan.vertices[k] + 4;
-            put(d, three(d) + strength * curve.moves[k]);
-        }
+        add(curve, strength, sweep.particles + 4, 8);
     });
 }
 
@@ -193,7 +186,6 @@ template <class Real>
 void ChainSet<Real>::damp(const Sweep<Real>& sweep, Workers& workers) {
     forCurves(workers, [&](Curve& curve) {
         evaluate(curve, sweep);
-        for (ChainRow& row : curve.rows) row.compliance = 0;
         assemble(curve, 0);
         for (std::size_t i = 0; i < curve.change.size(); ++i) {
             const ChainPlace& place = curve.plan.places[i];
@@ -204,12 +196,9 @@ void ChainSet<Real>::damp(const Sweep<Real>& sweep, Workers& workers) {
             }
             curve.change[i] = -rate;
         }
-        curve.system.solve(std::span(curve.change), curve.least);
+        curve.system.solve(curve.change, curve.least);
         gather(curve);
-        for (std::size_t k = 0; k < curve.moves.size(); ++k) {
-            Real* const v = sweep.out + 4 * curve.plan.vertices[k];
-            put(v, three(v) + double(sweep.strength) * curve.moves[k]);
-        }
+        add(curve, double(sweep.strength), sweep.out, 4);
     });
 }
 
@@ -223,23 +212,20 @@ void ChainSet<Real>::carryRides(const Sweep<Real>& sweep) {
     for (std::size_t i = 0; i < riders_.size(); ++i) {
         Real* const p = sweep.particles + 8 * riders_[i].vertex;
         if (p[3] == 0) continue;
-        const Vec<Real> way = movedBy(sweep, riders_[i].edge) - middles_[i];
-        p[4] += Real(0.5) * way.x;
-        p[5] += Real(0.5) * way.y;
-        p[6] += Real(0.5) * way.z;
+        put(p + 4, three(p + 4) + 0.5 * (movedBy(sweep, riders_[i].edge) - middles_[i]));
     }
 }
 
 template class ChainSet<float>;
 template class ChainSet<double>;
 
-void Chains::constrain(World& world, SetOptions options, bool geometricStiffness) const {
-    const auto make = [chains = *this, name = options.name, geometricStiffness]<class Real>(
+void Chains::constrain(World& world, SetOptions options) const {
+    const auto make = [chains = *this, name = options.name]<class Real>(
                           const World& w, KernelChoice) -> std::unique_ptr<Constraint<Real>> {
         typename ChainSet<Real>::Parts parts;
         for (const auto& maker : chains.makers_) parts.push_back(maker(name, w.start.size()));
         return std::make_unique<ChainSet<Real>>(std::move(parts), chains.curves_, w.pinned,
-                                                geometricStiffness, chains.riders_);
+                                                chains.riders_);
     };
     world.constrain(recipeOf<Constraint>(make), std::move(options));
 }

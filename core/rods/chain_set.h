@@ -5,6 +5,7 @@
 #pragma once
 
 #include "../constraint.h"
+#include "../kernels/kernel_loop.h"
 #include "../world.h"
 #include "banded.h"
 #include "chain_part.h"
@@ -33,8 +34,7 @@ public:
 
     // As planChains().
     ChainSet(Parts parts, std::span<const std::vector<int>> curves,
-             std::span<const unsigned char> pinned, bool geometricStiffness = true,
-             std::vector<ChainRider> riders = {});
+             std::span<const unsigned char> pinned, std::vector<ChainRider> riders = {});
 
     void beginFrame(double t0, double t1) override;
     void begin(const Substep& substep, Workers& workers) override;
@@ -47,8 +47,8 @@ public:
 
 private:
     // What two rows have in common by one vertex: entry += answer . gradient.
-    struct Coupling {
-        int entry, i, j, a, b;
+    struct Coupling : ChainCoupling {
+        int entry;
     };
     struct Curve {
         ChainCurve plan;
@@ -56,10 +56,10 @@ private:
         std::vector<ChainRow> rows;
         std::vector<Coupling> couplings;
         std::vector<double> lambda, change, least;
-        std::vector<Vec<double>> moves;  // by vertex
-        Banded turning;                  // of the vertices
-        std::vector<Vec<double>> turned;
-        std::vector<double> zeros;  // no pivot of it is too small
+        Banded turning;  // of the vertices
+        // By vertex.
+        std::vector<Response<double, true>> responses;
+        std::vector<Vec<double>> moves, turned;
     };
 
     template <class Body>
@@ -69,12 +69,12 @@ private:
     static void gather(Curve& curve);
     Vec<double> apart(const ChainLink& link, const Sweep<Real>& sweep, const Curve& curve) const;
     void turn(Curve& curve, const Sweep<Real>& sweep) const;
+    static void add(const Curve& curve, double strength, Real* to, int stride);
     double bounded(const Curve& curve, const Sweep<Real>& sweep) const;
 
     Parts parts_;
-    bool turns_;
     std::vector<ChainRider> riders_;
-    std::vector<Vec<Real>> middles_;  // of their edges, twice, as noted
+    std::vector<Vec<double>> middles_;  // of their edges, twice, as noted
     std::vector<Curve> curves_;
     long size_ = 0;
 };
@@ -101,7 +101,7 @@ public:
 
     // All of it, as one set. Throws, when a solver is made, as planChains() does, and
     // std::invalid_argument, naming the set, for rows that are not sound.
-    void constrain(World& world, SetOptions options, bool geometricStiffness = true) const;
+    void constrain(World& world, SetOptions options) const;
 
 private:
     std::vector<std::vector<int>> curves_;

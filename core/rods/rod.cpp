@@ -9,7 +9,6 @@
 #include <string>
 
 namespace plait {
-
 namespace {
 
 // Second moments of the section: about the director, across it, and of torsion; m^4.
@@ -64,7 +63,7 @@ public:
 
     Chains chains(const World& world, const Rod& rod) const {
         const int x = rod.points.first, d = rod.directors.first;
-        std::vector<int> order, links, held, joints;
+        std::vector<int> order, links, held;
         for (int v = 0; v < std::ssize(curve_.positions); ++v) {
             order.push_back(x + v);
             if (v < edges_) order.push_back(d + v);
@@ -73,9 +72,9 @@ public:
         for (int e = 0; e < edges_; ++e) {
             links.insert(links.end(), {x + e, x + next(e)});
             held.insert(held.end(), {x + e, x + next(e), d + e});
-            const int last = next(e) < edges_ ? next(e) : -1;  // the edge behind
-            if (last < 0) continue;
-            turns.ids.insert(turns.ids.end(), {x + e, x + last, x + next(last), d + e, d + last});
+            const int f = next(e);  // the vertex and the edge behind this one
+            if (f == edges_) continue;
+            turns.ids.insert(turns.ids.end(), {x + e, x + f, x + next(f), d + e, d + f});
             turns.rows.push_back(turnOf(world, &turns.ids[turns.ids.size() - 5]));
         }
         Chains all;

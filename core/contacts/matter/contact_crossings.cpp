@@ -16,8 +16,8 @@ constexpr int innerPasses = 5;  // M 4.2
 // five vertices in all; where a body jumps, tens of pairs a vertex cross again and again.
 constexpr int mostBackRounds = 64, mostBackPairs = 16;  // the latter a vertex
 
-// Of two surfaces, which cross or do not.
-bool isThin(const Pairing& pair) { return pair.first + pair.second == 4; }
+// Others have their thickness for all that keeps them apart.
+bool canCross(const Pairing& pair) { return pair.first + pair.second == 4; }
 
 }  // namespace
 
@@ -32,7 +32,7 @@ void ContactSet<Real>::check(const Pairing& pair, std::vector<Contact>& list) co
     if (!mayMeet(pair, start, end, 0)) return;
     const Nearest now = nearest(pair, start);
     const double distance = length(now.apart), gap = gapOf(pair, now);
-    const double thickness = isThin(pair) ? 0 : leastPart * std::min(gap, distance);
+    const double thickness = canCross(pair) ? 0 : leastPart * std::min(gap, distance);
     if (distance == 0 || !movesBy(distance - thickness, pair, start, end)) return;
     if (impactOf(pair, start, end, thickness))
         list.push_back({.pair = pair, .distance = distance, .gap = gap});
@@ -145,7 +145,10 @@ long ContactSet<Real>::putAllBack(const Sweep<Real>& sweep, Workers& workers) {
         workers.askInterrupt();
         backPairs_ += std::ssize(crossing_);
         gaveUp_ = ++backRounds_ > mostBackRounds || backPairs_ > mostBackPairs * std::ssize(start_);
-        if (gaveUp_) return sum + putEverythingBack(sweep);
+        if (gaveUp_) {
+            sum += putEverythingBack(sweep);
+            break;
+        }
         const int held = putBack(sweep);
         contacts_.insert(contacts_.end(), crossing_.begin(), crossing_.end());
         if (held == 0) {
@@ -182,17 +185,18 @@ long ContactSet<Real>::putEverythingBack(const Sweep<Real>& sweep) const {
     return held;
 }
 
-// What cannot cross, particles and curves, and has its thickness for all that keeps it out of
-// others: a pair is counted once, as it is pressed within a quarter of its gap.
+// Of what cannot cross, particles among each other and with curves, a pair is counted once, as it
+// is pressed within a quarter of its gap.
 template <class Real>
 void ContactSet<Real>::conclude(const Sweep<Real>& sweep, Workers& workers) {
+    counts_.givenUp += gaveUp_;
+    if (!ready_ || gaveUp_ || !search_.hasRound()) return;
     std::atomic<long> pressed{0};
-    if (gaveUp_) ++counts_.givenUp;
-    workers.forBlocks(ready_ && !gaveUp_ ? foreseen_ : 0, 256, [&](int begin, int end) {
+    workers.forBlocks(foreseen_, 256, [&](int begin, int end) {
         long count = 0;
         for (int n = begin; n < end; ++n) {
             const Contact& c = contacts_[n];
-            if (isThin(c.pair) || clear(sweep, watches_[n])) continue;
+            if (canCross(c.pair) || clear(sweep, watches_[n])) continue;
             const Nearest now = nearest(c.pair, endOf(sweep, c.pair));
             const double least = leastPart * wholeGapOf(c.pair, now);
             count += length(now.apart) < least && c.distance >= least;

@@ -49,6 +49,11 @@ PairSearch::PairSearch(const SimplicialComplex& complex, std::vector<Surface> su
     mayMeet(balls, balls, Self::vertex);
 }
 
+bool PairSearch::hasRound() const {
+    return std::ranges::any_of(
+        groups_, [](const auto& side) { return side[grains].count() + side[balls].count() > 0; });
+}
+
 // A simplex belongs to the surface of all its vertices, and is pinned if they all are.
 void PairSearch::add(Kind kind, std::span<const int> ids) {
     bool fixed = true;

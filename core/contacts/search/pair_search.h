@@ -45,6 +45,8 @@ public:
     // By vertex: place in surfaces(), -1 of none; and thickness, m.
     int surfaceOf(int vertex) const { return surface_[static_cast<std::size_t>(vertex)]; }
     double thickness(int vertex) const { return thickness_[static_cast<std::size_t>(vertex)]; }
+    // Whether any pair is of what has no inside and no side: a particle and another or a curve.
+    bool hasRound() const;
     // How often the thicknesses of two vertices count that meet each other.
     double width(int a, int b) const {
         return surfaceOf(a) == surfaceOf(b) ? surfaces_[std::size_t(surfaceOf(a))].selfWidth : 1;

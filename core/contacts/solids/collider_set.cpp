@@ -196,38 +196,46 @@ void ColliderSet<Real>::project(const Sweep<Real>& sweep, Direction direction, W
     });
 }
 
+// Whether a vertex moved too little to come near a body.
+template <class Real>
+bool ColliderSet<Real>::isFar(const Sweep<Real>& sweep, int m, std::size_t b) const {
+    const int v = members_[m].vertex;
+    const Vec<double> way = three(sweep.particles + 8 * v + 4) - three(sweep.before + 4 * v);
+    return dot(way, way) < free_[m * bodies_.size() + b];
+}
+
+// From where to where a vertex goes in the substep, in the axes of a body.
+template <class Real>
+std::array<Vec<double>, 2> ColliderSet<Real>::wayOf(const Sweep<Real>& sweep, int m,
+                                                    std::size_t b) const {
+    const int v = members_[m].vertex;
+    const Real* const p = sweep.particles + 8 * v;
+    const Body& body = bodies_[b];
+    return {body.before.own(three(p) + three(sweep.before + 4 * v)),
+            body.now.own(three(p) + three(p + 4))};
+}
+
 // Whether a vertex came within a quarter of its gap: the rest of it gives way, as between other
 // contacts, where lengths leave no room for both. What began inside comes out as slowly as it may.
 template <class Real>
 bool ColliderSet<Real>::passes(const Sweep<Real>& sweep, int m, std::size_t b) const {
-    const Member& member = members_[m];
-    const Body& body = bodies_[b];
-    const Real* const p = sweep.particles + 8 * member.vertex;
-    const Vec<double> now = three(p + 4), before = three(sweep.before + 4 * member.vertex);
-    const Vec<double> way = now - before;
-    if (dot(way, way) < free_[m * bodies_.size() + b]) return false;
-    const Solid& solid = body.collider.solid;
-    const Vec<double> start = body.before.own(three(p) + before);
+    if (isFar(sweep, m, b)) return false;
+    const Solid& solid = bodies_[b].collider.solid;
+    const auto [start, end] = wayOf(sweep, m, b);
     const Side from = sideOf(solid, start);
     if (from.distance <= 0) return false;
-    const double gap = leastPart * std::min(gapOf(member, from), from.distance);
-    return reaches(solid, start, body.now.own(three(p) + now), gap).has_value();
+    const double gap = leastPart * std::min(gapOf(members_[m], from), from.distance);
+    return reaches(solid, start, end, gap).has_value();
 }
 
-// Whether a particle or a vertex of a curve came to be within a quarter of its thickness in this
-// substep: of a surface that is no failure before it is inside.
+// Whether a vertex came to be within a quarter of its thickness in this substep.
 template <class Real>
 bool ColliderSet<Real>::isPressed(const Sweep<Real>& sweep, int m, std::size_t b) const {
-    const Member& member = members_[m];
-    const Body& body = bodies_[b];
-    const Real* const p = sweep.particles + 8 * member.vertex;
-    const Vec<double> now = three(p + 4), before = three(sweep.before + 4 * member.vertex);
-    const Vec<double> way = now - before;
-    if (!member.isRound || dot(way, way) < free_[m * bodies_.size() + b]) return false;
-    const double least = leastPart * member.thickness;
-    const Solid& solid = body.collider.solid;
-    return sideOf(solid, body.now.own(three(p) + now)).distance < least &&
-           sideOf(solid, body.before.own(three(p) + before)).distance >= least;
+    if (isFar(sweep, m, b)) return false;
+    const double least = leastPart * members_[m].thickness;
+    const Solid& solid = bodies_[b].collider.solid;
+    const auto [start, end] = wayOf(sweep, m, b);
+    return sideOf(solid, end).distance < least && sideOf(solid, start).distance >= least;
 }
 
 // How often act(member, body) is true of those that pass.
@@ -267,13 +275,15 @@ long ColliderSet<Real>::holdBack(const Sweep<Real>& sweep, Workers& workers) {
     return held;
 }
 
+// Of a surface it is no failure before it is inside.
 template <class Real>
 void ColliderSet<Real>::conclude(const Sweep<Real>& sweep, Workers& workers) {
     std::atomic<long> pressed{0};
     workers.forBlocks(static_cast<int>(members_.size()), grain, [&](int begin, int end) {
         long count = 0;
         for (int m = begin; m < end; ++m)
-            for (std::size_t b = 0; b < bodies_.size(); ++b) count += isPressed(sweep, m, b);
+            for (std::size_t b = 0; members_[m].isRound && b < bodies_.size(); ++b)
+                count += isPressed(sweep, m, b);
         pressed += count;
     });
     failed_ += pressed;

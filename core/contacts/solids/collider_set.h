@@ -63,6 +63,8 @@ private:
     Plane touch(const Member& member, const Body& body, const Vec<double>& start,
                 const Vec<double>& end) const;
     bool part(const Sweep<Real>& sweep, int member, std::size_t body);
+    bool isFar(const Sweep<Real>& sweep, int member, std::size_t body) const;
+    std::array<Vec<double>, 2> wayOf(const Sweep<Real>& sweep, int member, std::size_t body) const;
     bool passes(const Sweep<Real>& sweep, int member, std::size_t body) const;
     bool isPressed(const Sweep<Real>& sweep, int member, std::size_t body) const;
     template <class Act>

@@ -52,6 +52,17 @@ World jumping(double jump) {
     return world;
 }
 
+// Of three frames.
+long failuresOf(const World& world) {
+    Solver<double> solver(world, meeting(10));
+    long failures = 0;
+    for (int frame = 0; frame < 3; ++frame) {
+        solver.frame();
+        failures += solver.failures();
+    }
+    return failures;
+}
+
 }  // namespace
 
 // Each that goes back is in the way of the next ones.
@@ -95,12 +106,7 @@ TEST_CASE("contacts: what is pressed into each other is counted", "[contacts][st
         meet(world, {{.vertices = ball, .thickness = 0.05},
                      {.vertices = wall, .thickness = 0.05},
                      {.vertices = press, .thickness = 0.05}});
-        Solver<double> solver(world, meeting(10));
-        long failures = 0;
-        for (int frame = 0; frame < 3; ++frame) {
-            solver.frame();
-            failures += solver.failures();
-        }
+        const long failures = failuresOf(world);
         INFO(left << " of the way, " << failures << " failures");
         CHECK((failures > 0) == (left > 0));
     }
@@ -115,12 +121,7 @@ TEST_CASE("colliders: a ball that is pressed into a solid is counted", "[collide
             return Frame{.origin = {0, 0.1 + left + 0.1 * (1 - std::min(12 * t, 1.0)), 0}};
         };
         collide(world, {{.solid = Solid::plane()}, press}, {{.vertices = ball, .thickness = 0.05}});
-        Solver<double> solver(world, meeting(10));
-        long failures = 0;
-        for (int frame = 0; frame < 3; ++frame) {
-            solver.frame();
-            failures += solver.failures();
-        }
+        const long failures = failuresOf(world);
         INFO(left << " m, " << failures << " failures");
         CHECK((failures > 0) == (left < 0.1));
     }

@@ -135,7 +135,7 @@ TEST_CASE("rods: a banded system with a border against a dense one", "[rods]") {
         Eigen::VectorXd b(n);
         for (int i = 0; i < n; ++i) b(i) = random.uniform(-1, 1);
         std::vector<double> x(b.data(), b.data() + n);
-        system.solve(std::span(x), std::vector<double>(static_cast<std::size_t>(n), 0));
+        system.solve(x, std::vector<double>(static_cast<std::size_t>(n), 0));
         const Eigen::VectorXd exact = dense.ldlt().solve(b);
         for (int i = 0; i < n; ++i)
             worst = std::max(worst, std::fabs(x[static_cast<std::size_t>(i)] - exact(i)));
