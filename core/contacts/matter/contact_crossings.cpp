@@ -125,7 +125,7 @@ long ContactSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
         ++counts_.passes;
         cross(sweep, workers);
     }
-    putAllBack(sweep, workers);
+    putAllBack(sweep, workers, false);
     return work;
 }
 
@@ -134,13 +134,15 @@ long ContactSet<Real>::holdBack(const Sweep<Real>& sweep, Workers& workers) {
     if (gaveUp_) return putEverythingBack(sweep);
     if (options_.detection == Detection::end || !findMoved(sweep, workers)) return 0;
     crossMoved(sweep, workers);
-    return putAllBack(sweep, workers);
+    return putAllBack(sweep, workers, true);
 }
 
-// Until nothing crosses but what is where the substep began. Returns how many vertices that moves.
+// Until nothing crosses but what is where the substep began; `hold`: all goes there, since others
+// than contacts have put something there. Returns how many vertices that moves.
 template <class Real>
-long ContactSet<Real>::putAllBack(const Sweep<Real>& sweep, Workers& workers) {
+long ContactSet<Real>::putAllBack(const Sweep<Real>& sweep, Workers& workers, bool hold) {
     long sum = 0;
+    zones_.clear();
     while (!crossing_.empty()) {
         workers.askInterrupt();
         backPairs_ += std::ssize(crossing_);
@@ -149,7 +151,7 @@ long ContactSet<Real>::putAllBack(const Sweep<Real>& sweep, Workers& workers) {
             sum += putEverythingBack(sweep);
             break;
         }
-        const int held = putBack(sweep);
+        const int held = putBack(sweep, hold);
         contacts_.insert(contacts_.end(), crossing_.begin(), crossing_.end());
         if (held == 0) {
             counts_.failed += static_cast<long>(crossing_.size());
@@ -164,17 +166,15 @@ long ContactSet<Real>::putAllBack(const Sweep<Real>& sweep, Workers& workers) {
     return sum;
 }
 
-// What crosses goes back to where the substep began. Returns how many vertices that moves.
+// What crosses goes back. Returns how many vertices that moves.
 template <class Real>
-int ContactSet<Real>::putBack(const Sweep<Real>& sweep) {
-    int held = 0;
-    for (Contact& c : crossing_)
-        for (const int v : c.pair.vertices) {
-            if (pinned_[v] || !plait::putBack(sweep, v)) continue;
-            c.push = 1;  // pushed, for those who ask
-            ++held;
-        }
-    return held;
+int ContactSet<Real>::putBack(const Sweep<Real>& sweep, bool hold) {
+    for (Contact& c : crossing_) {
+        c.push = 1;  // pushed, for those who ask
+        const std::span<const int> vertices(c.pair.vertices);
+        zones_.join(vertices.first(c.pair.first + c.pair.second), pinned_, hold);
+    }
+    return zones_.put(sweep);
 }
 
 template <class Real>

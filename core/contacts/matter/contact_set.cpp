@@ -58,6 +58,7 @@ ContactSet<Real>::ContactSet(const World& world, const std::vector<Surface>& sur
       end_(world.start),
       pinned_(world.pinned),
       gravity_(world.gravity),
+      zones_(world.start.size()),
       taken_(world.start.size()),
       slack_(thickest(surfaces)),
       widest_(widest(surfaces)) {

@@ -6,11 +6,11 @@
 // way, when and where they met (touch), and parts them as they were before (part). Most contacts
 // stay clear throughout: after the first four evaluations every fourth alone asks all of them.
 // After the last column all paths are looked at once more (finish): what still crosses is parted in
-// up to five passes, and what crosses even then is put back to where the substep began, which was
-// free of crossings, so that the next one begins free of them too. Only matter that is moved from
-// outside can break that; such vertices are counted as failed. What goes back may be crossed by
-// others, which go back as well: where that does not end soon, all stays where it is to the end of
-// the base step, and every substep of it is counted as a failure.
+// up to five passes, and what crosses even then is put back to how it lay when the substep began
+// (impact_zones.h), which was free of crossings, so that the next one begins free of them too. Only
+// matter that is moved from outside can break that; such vertices are counted as failed. What goes
+// back may be crossed by others, which go back as well: where that does not end soon, all stays
+// where it is to the end of the base step, and every substep of it is counted as a failure.
 //
 // Which contacts there are depends on where everything is and is heading, not on when pairs were
 // last looked for: a run that is resumed has the same bits.
@@ -19,6 +19,7 @@
 #include "../../contact_constraint.h"
 #include "../search/pair_search.h"
 #include "../trouble/failures.h"
+#include "impact_zones.h"
 #include "impacts.h"
 
 #include <atomic>
@@ -103,9 +104,9 @@ private:
     bool findMoved(const Sweep<Real>& sweep, Workers& workers);
     void cross(const Sweep<Real>& sweep, Workers& workers);
     void crossMoved(const Sweep<Real>& sweep, Workers& workers);
-    int putBack(const Sweep<Real>& sweep);
+    int putBack(const Sweep<Real>& sweep, bool hold);
     long putEverythingBack(const Sweep<Real>& sweep) const;
-    long putAllBack(const Sweep<Real>& sweep, Workers& workers);
+    long putAllBack(const Sweep<Real>& sweep, Workers& workers, bool hold);
 
     ContactOptions options_;
     PairSearch search_;
@@ -115,6 +116,7 @@ private:
     std::vector<unsigned char> pinned_;
     double gravity_;                   // m/s^2: what rests approaches by its step
     std::vector<double> inverseMass_;  // 1/kg, in contacts
+    ImpactZones zones_;                // of crossing_, and of what crossed before it
     bool bouncy_ = false;              // something has restitution
     std::vector<Bounce> bounces_;
     std::vector<Path> paths_;  // by vertex, of this substep
