@@ -4,7 +4,6 @@
 #include "tests/random.h"
 #include "tests/report.h"
 
-#include <plait/contacts/matter/impact_zones.h>
 #include <plait/measure/momentum.h>
 
 using namespace plait;
