@@ -1,7 +1,9 @@
 #include "renderer.h"
 
 #include "finish.h"
+#include "render/matter/back_to_front.h"
 #include "render/shaders/backdrop.h"
+#include "render/shaders/brushed.h"
 #include "render/shaders/cloth.h"
 #include "render/shaders/shadow.h"
 #include "render/shaders/skin.h"
@@ -55,7 +57,8 @@ Renderer::Renderer(const Scene& scene, const RenderOptions& options)
       canvas_(makeMultisampledTarget(options.width, options.height, options.samples)),
       resolved_(makeTarget(options.width, options.height, GL_RGBA16F)),
       grade_(options.width, options.height),
-      empty_(makeVertexArray()) {
+      empty_(makeVertexArray()),
+      sorted_(makeBuffer()) {
     if (view_.ground) prepareGround();
     const CameraPose pose = poseAt(view_.cameras, view_.cameras[0].time).framed(aspect());
     key_ = lightDirection(pose, -50, 42);
@@ -77,12 +80,8 @@ void Renderer::addSkin(Skin skin) {
     GpuMesh mesh{makeVertexArray(), makeBuffer(), makeBuffer(), 0, {}, 1};
     glBindVertexArray(mesh.array);
     bindVertices(mesh.vertices);
-    const auto& triangles = skin.triangles();
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.triangles);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-                 static_cast<GLsizeiptr>(triangles.size() * sizeof(triangles[0])), triangles.data(),
-                 GL_STATIC_DRAW);
-    mesh.corners = static_cast<int>(3 * triangles.size());
+    uploadTriangles(mesh.triangles, skin.triangles(), GL_STATIC_DRAW);
+    mesh.corners = static_cast<int>(3 * skin.triangles().size());
     if (skin.printed()) {
         const Emblem emblem = makeEmblem(skin.size().x / skin.size().y);
         mesh.period = emblem.period * skin.size().y;
@@ -105,7 +104,7 @@ Picture Renderer::draw(std::span<const Vec<double>> positions, double t, const O
     const CameraPose pose = (chosen ? *chosen : poseOf(view_, t)).framed(aspect());
     Shot shot{pose, pose.matrix(aspect()), overlay != nullptr};
     way_ = wayAt(view_.follow, t);
-    update(positions, overlay);
+    update(positions, overlay, shot);
     findSubject(shot);
     renderShadows();
     drawMirror(shot);
@@ -115,6 +114,7 @@ Picture Renderer::draw(std::span<const Vec<double>> positions, double t, const O
     glClear(GL_DEPTH_BUFFER_BIT);
     drawSkins(shot);
     drawBackdrop(shot);
+    drawFaint(shot);
     drawVeils(shot);
 
     glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas_.framebuffer);
@@ -124,12 +124,15 @@ Picture Renderer::draw(std::span<const Vec<double>> positions, double t, const O
     return grade_.apply(resolved_.texture, static_cast<float>(view_.stage.vignette), empty_);
 }
 
-void Renderer::update(std::span<const Vec<double>> positions, const Overlay* overlay) {
+void Renderer::update(std::span<const Vec<double>> positions, const Overlay* overlay,
+                      const Shot& shot) {
+    const Lens lens{shot.pose.eye, shot.pose.forward(),
+                    2 * std::tan(shot.pose.fieldOfView / 2) / static_cast<float>(options_.height)};
     std::vector<glm::vec3> tints;
     if (overlay)
         for (const float value : overlay->values) tints.push_back(overlayColor(*overlay, value));
     for (std::size_t i = 0; i < view_.looks.size() + view_.coils.size(); ++i) {
-        skins_[i].update(positions, tints);
+        skins_[i].update(positions, tints, lens);
         uploadVertices(meshes_[i].vertices, skins_[i].vertices());
     }
     std::vector<const Skin*> veils;
@@ -142,11 +145,37 @@ void Renderer::drawSkins(const Shot& shot) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     for (std::size_t i = 0; i < skins_.size(); ++i) {
-        if (isVeil(skins_[i])) continue;
+        if (isVeil(skins_[i]) || skins_[i].faint()) continue;
+        useSurface(i, shot);
+        drawMesh(i);
+    }
+}
+
+// Closed skins show their outside only.
+void Renderer::drawMesh(std::size_t i) const {
+    if (skins_[i].isWire()) glEnable(GL_CULL_FACE);
+    glBindVertexArray(meshes_[i].array);
+    glDrawElements(GL_TRIANGLES, meshes_[i].corners, GL_UNSIGNED_INT, nullptr);
+    glDisable(GL_CULL_FACE);
+}
+
+// Wires that are thinner than they are drawn: over all that is opaque, farther turns first.
+void Renderer::drawFaint(const Shot& shot) {
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthFunc(GL_LESS);
+    for (std::size_t i = 0; i < skins_.size(); ++i) {
+        if (!skins_[i].faint()) continue;
         useSurface(i, shot);
         glBindVertexArray(meshes_[i].array);
-        glDrawElements(GL_TRIANGLES, meshes_[i].corners, GL_UNSIGNED_INT, nullptr);
+        uploadTriangles(sorted_,
+                        backToFront(skins_[i].triangles(), skins_[i].vertices(), shot.pose.eye,
+                                    skins_[i].group()),
+                        GL_STREAM_DRAW);
+        drawMesh(i);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, meshes_[i].triangles);
     }
+    glDisable(GL_BLEND);
 }
 
 void Renderer::drawVeils(const Shot& shot) {
@@ -187,6 +216,8 @@ const char* Renderer::familyShader(Family family) {
             return skinShader;
         case Family::tulle:
             return tulleShader;
+        case Family::brushed:
+            return brushedShader;
     }
     return coatShader;
 }
@@ -200,9 +231,14 @@ const Program& Renderer::surfaceProgram(std::size_t i, const Shot& shot) {
     if (shot.overlay && !prop) defines += "#define OVERLAY\n";
     if (skin.colored() || family == Family::tulle) defines += "#define COLORS\n";
     if (family == Family::skin) defines += "#define SKIN\n";
+    if (skin.isWire()) defines += "#define WIRE\n";
     if (family == Family::tulle) {
         defines += "#define TULLE\n";
         vertex = tulleLightShader;
+    }
+    if (family == Family::brushed) {
+        defines += "#define BRUSHED\n";
+        vertex = brushedLightShader;
     }
     if (family == Family::cloth) {
         if (skin.printed() && !shot.overlay) defines += "#define PRINT\n";

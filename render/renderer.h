@@ -66,11 +66,13 @@ private:
     float aspect() const;
     void addSkin(Skin skin);
     void prepareGround();
-    void update(std::span<const Vec<double>> positions, const Overlay* overlay);
+    void update(std::span<const Vec<double>> positions, const Overlay* overlay, const Shot& shot);
     void findSubject(const Shot& shot);
     void renderShadows();
     void drawCasters(const glm::mat4& matrix);
     void drawSkins(const Shot& shot);
+    void drawMesh(std::size_t i) const;
+    void drawFaint(const Shot& shot);
     void drawVeils(const Shot& shot);
     void useSurface(std::size_t i, const Shot& shot);
     const Program& surfaceProgram(std::size_t i, const Shot& shot);
@@ -100,6 +102,7 @@ private:
     Target canvas_, resolved_;
     Grade grade_;
     VertexArray empty_;
+    Buffer sorted_;  // triangles of what is faint
     glm::vec3 key_{0}, fill_{0}, rim_{0};
     glm::vec3 subject_{0};  // what casts shadows, and how far around it, m
     float radius_ = 1;

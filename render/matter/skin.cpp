@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace plait {
 namespace {
@@ -84,10 +85,21 @@ Skin::Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, 
         if (triangles[i].empty()) edges.push_back({ends[0] - range_.first, ends[1] - range_.first});
     }
     curves_ = polylines(edges, range_.size());
+    if (look.section.along > 0) addWire(rest, look, pixel);
     for (int i = 0; i < range_.size(); ++i)
         if (!covered[i]) balls_.push_back(i);
     if (!balls_.empty()) ball_ = sphere({.subdivisions = 2, .radius = look.radius});
     update(rest);
+}
+
+void Skin::addWire(std::span<const Vec<double>> rest, const Look& look, float pixel) {
+    directors_ = look.directors;
+    if (surfaceVertices_ > 0 || directors_.first < 0 ||
+        directors_.last > static_cast<int>(rest.size()))
+        throw std::invalid_argument("look: a wire is a curve, its directors are in the world");
+    std::vector<glm::vec3> points;
+    for (int i = range_.first; i < range_.last; ++i) points.push_back(toGlm(rest[i]));
+    wire_.emplace(look, std::exchange(curves_, {}), points, pixel);
 }
 
 Skin::Skin(std::span<const Vec<double>> rest, const Coil& coil)
@@ -192,7 +204,8 @@ void Skin::layCloth(std::span<const Vec<double>> rest,
     if (subdivision_.size() > 0) subdivision_.apply<glm::vec2>(uv, uv_);
 }
 
-void Skin::update(std::span<const Vec<double>> positions, std::span<const glm::vec3> tints) {
+void Skin::update(std::span<const Vec<double>> positions, std::span<const glm::vec3> tints,
+                  const Lens& lens) {
     if (range_.size() == 0) return;  // a prop
     if (static_cast<int>(positions.size()) < range_.last ||
         (!tints.empty() && static_cast<int>(tints.size()) < range_.last))
@@ -207,6 +220,7 @@ void Skin::update(std::span<const Vec<double>> positions, std::span<const glm::v
     triangles_.resize(static_cast<std::size_t>(surfaceTriangles_));
     if (surfaceVertices_ > 0) updateSurface(!tints.empty());
     updateCurves();
+    if (wire_) updateWire(positions, lens);
     if (coil_) updateCoil(*coil_);
 }
 
@@ -272,6 +286,18 @@ void Skin::updateCurves() {
             triangles_.push_back({first + a, first + b, first + c});
         }
     }
+}
+
+void Skin::updateWire(std::span<const Vec<double>> positions, const Lens& lens) {
+    if (static_cast<int>(positions.size()) < directors_.last)
+        throw std::invalid_argument("draw: positions must be those of the whole world");
+    std::vector<glm::vec3> directors;
+    for (int i = directors_.first; i < directors_.last; ++i)
+        directors.push_back(toGlm(positions[i]));
+    const int first = static_cast<int>(vertices_.size());
+    wire_->update(coarse_, directors, coarseTints_, lens, vertices_);
+    for (const auto& [a, b, c] : wire_->triangles())
+        triangles_.push_back({first + a, first + b, first + c});
 }
 
 void Skin::updateCoil(const Coil& coil) {
