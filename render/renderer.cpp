@@ -5,6 +5,7 @@
 #include "render/shaders/backdrop.h"
 #include "render/shaders/brushed.h"
 #include "render/shaders/cloth.h"
+#include "render/shaders/grade.h"
 #include "render/shaders/shadow.h"
 #include "render/shaders/skin.h"
 #include "render/shaders/stage.h"
@@ -14,6 +15,7 @@
 #include "render/stage/weave.h"
 
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -100,11 +102,51 @@ bool Renderer::isVeil(const Skin& skin) {
 
 Picture Renderer::draw(std::span<const Vec<double>> positions, double t, const Overlay* overlay,
                        const CameraPose* chosen) {
+    expose({positions, t}, overlay, chosen, glm::vec2(0));
+    return grade_.apply(resolved_.texture, static_cast<float>(view_.stage.vignette), empty_);
+}
+
+Picture Renderer::draw(std::span<const Moment> exposure, const Overlay* overlay,
+                       const CameraPose* chosen) {
     context_.makeCurrent();
+    if (!share_) {
+        share_ = Program(blurVertexShader, shareShader);
+        sum_ = makeTarget(options_.width, options_.height, GL_RGBA32F);
+    }
+    sum_.bind();
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+    for (std::size_t i = 0; i < exposure.size(); ++i) {
+        // The plastic number's powers: any of them in a row lie evenly over a pixel.
+        const glm::vec2 aside =
+            glm::fract(static_cast<float>(i) * glm::vec2(0.7548777f, 0.5698403f) + 0.5f) - 0.5f;
+        expose(exposure[i], overlay, chosen, aside);
+        sum_.bind();
+        glDisable(GL_DEPTH_TEST);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+        share_.use();
+        share_.set("source", 0, resolved_.texture);
+        share_.set("share", 1 / static_cast<float>(exposure.size()));
+        drawScreen(empty_);
+        glDisable(GL_BLEND);
+    }
+    return grade_.apply(sum_.texture, static_cast<float>(view_.stage.vignette), empty_);
+}
+
+void Renderer::expose(const Moment& moment, const Overlay* overlay, const CameraPose* chosen,
+                      const glm::vec2& aside) {
+    context_.makeCurrent();
+    const double t = moment.time;
     const CameraPose pose = (chosen ? *chosen : poseOf(view_, t)).framed(aspect());
     Shot shot{pose, pose.matrix(aspect()), overlay != nullptr};
+    if (aside != glm::vec2(0))
+        shot.camera = glm::translate(
+                          glm::mat4(1),
+                          glm::vec3(2.0f * aside / glm::vec2(options_.width, options_.height), 0)) *
+                      shot.camera;
     way_ = wayAt(view_.follow, t);
-    update(positions, overlay, shot);
+    update(moment.positions, overlay, shot);
     findSubject(shot);
     renderShadows();
     drawMirror(shot);
@@ -121,7 +163,6 @@ Picture Renderer::draw(std::span<const Vec<double>> positions, double t, const O
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer);
     glBlitFramebuffer(0, 0, options_.width, options_.height, 0, 0, options_.width, options_.height,
                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    return grade_.apply(resolved_.texture, static_cast<float>(view_.stage.vignette), empty_);
 }
 
 void Renderer::update(std::span<const Vec<double>> positions, const Overlay* overlay,

@@ -28,6 +28,12 @@ struct RenderOptions {
     GlChoice gl = GlChoice::automatic;
 };
 
+// Where all vertices of the world are (m) at a time (s).
+struct Moment {
+    std::span<const Vec<double>> positions;
+    double time = 0;
+};
+
 // Owns its context. Any thread may draw, one at a time. The same positions, time and overlay give
 // the same bits, whatever was drawn before and however many threads Mesa uses.
 class Renderer {
@@ -42,6 +48,11 @@ public:
     // Positions of all vertices of the world (m) at time t (s); the camera is where the view puts
     // it then, or `chosen`. The overlay has a value for each vertex.
     Picture draw(std::span<const Vec<double>> positions, double t, const Overlay* overlay = nullptr,
+                 const CameraPose* chosen = nullptr);
+
+    // The mean light of some moments, as a film that is exposed to all of them takes it; edges
+    // are smoother, since each is taken a part of a pixel aside.
+    Picture draw(std::span<const Moment> exposure, const Overlay* overlay = nullptr,
                  const CameraPose* chosen = nullptr);
 
     const Context& context() const { return context_; }
@@ -64,6 +75,9 @@ private:
     };
 
     float aspect() const;
+    // Light of one moment to resolved_; `aside` is in pixels.
+    void expose(const Moment& moment, const Overlay* overlay, const CameraPose* chosen,
+                const glm::vec2& aside);
     void addSkin(Skin skin);
     void prepareGround();
     void update(std::span<const Vec<double>> positions, const Overlay* overlay, const Shot& shot);
@@ -99,7 +113,8 @@ private:
     ShadowBlur keyCover_, skyCover_, skyMoments_;
     Veils veils_;
     std::optional<FloorMirror> mirror_;
-    Target canvas_, resolved_;
+    Target canvas_, resolved_, sum_;
+    Program share_;
     Grade grade_;
     VertexArray empty_;
     Buffer sorted_;  // triangles of what is faint

@@ -47,8 +47,8 @@ struct Cells {
 // Part of a wire's projection that lies in each cell, 1/m; blended between cells.
 class Smoke {
 public:
-    Smoke(std::span<const WireStation> stations, float width)
-        : cells_(stations, 2 * width), density_(static_cast<std::size_t>(cells_.total())) {
+    Smoke(std::span<const WireStation> stations, float width, float size)
+        : cells_(stations, size), density_(static_cast<std::size_t>(cells_.total())) {
         const float volume = cells_.size * cells_.size * cells_.size;
         for (std::size_t i = 1; i < stations.size(); ++i) {
             const WireStation &a = stations[i - 1], &b = stations[i];
@@ -105,14 +105,21 @@ std::array<glm::vec3, rays> sphereOfRays() {
     return directions;
 }
 
-// Part of the light from there that is left.
-float clear(const Smoke& smoke, const glm::vec3& from, const glm::vec3& towards) {
-    float depth = 0, way = 1.5f * smoke.size(), step = 0.75f * smoke.size();
-    for (int i = 0; i < 9; ++i) {
-        depth += step * smoke.at(from + (way + 0.5f * step) * towards);
-        way += step;
-        step *= 1.3f;
-    }
+// Ever coarser: a ray widens as it goes.
+std::vector<Smoke> smokes(std::span<const WireStation> stations, float width) {
+    std::vector<Smoke> levels;
+    for (const float widths : {2.0f, 4.0f, 8.0f, 16.0f}) levels.emplace_back(stations, width, widths * width);
+    return levels;
+}
+
+// Part of the light from there that is left, but for what lies within three widths.
+float clear(std::span<const Smoke> levels, const glm::vec3& from, const glm::vec3& towards) {
+    float depth = 0, way = 1.5f * levels[0].size();
+    for (const Smoke& smoke : levels)
+        for (int i = 0; i < 2; ++i) {
+            depth += smoke.size() * smoke.at(from + (way + 0.5f * smoke.size()) * towards);
+            way += smoke.size();
+        }
     return std::exp(-depth);
 }
 
@@ -214,13 +221,13 @@ std::vector<Beside> besides(std::span<const WireStation> stations, float reach) 
 
 std::vector<Openness> opennessOf(std::span<const WireStation> stations, float width) {
     static const std::array<glm::vec3, rays> directions = sphereOfRays();
-    const Smoke smoke(stations, width);
+    const std::vector<Smoke> levels = smokes(stations, width);
     std::vector<Openness> result;
     for (const WireStation& s : stations) {
         // Weighted by cosines: of a clear half of the sphere this is exact.
         Openness open{0, glm::vec3(0)};
         for (const glm::vec3& d : directions) {
-            const float part = clear(smoke, s.place, d) / rays;
+            const float part = clear(levels, s.place, d) / rays;
             open.all += part;
             open.lean += 2 * part * d;
         }

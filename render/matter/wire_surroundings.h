@@ -34,7 +34,7 @@ struct Openness {
 };
 
 // Of each point, from what lies farther away than some three widths: the wires become a smoke of
-// the same mean shadow, `width` (m) wide, through which 32 rays are cast.
+// the same mean shadow, `width` (m) wide, through which 32 rays are cast, some sixty widths far.
 std::vector<Openness> opennessOf(std::span<const WireStation> stations, float width);
 
 }  // namespace plait
