@@ -128,6 +128,7 @@ void WireSkin::placeStrands(std::span<const glm::vec3> points,
             if (i > 0) length += glm::length(p[i] - p[i - 1]);
             stations_.push_back({.place = p[i],
                                  .tangent = pathAt(strand, static_cast<int>(i)).tangent,
+                                 .director = pathAt(strand, static_cast<int>(i)).director,
                                  .length = length,
                                  .round = round,
                                  .wire = static_cast<int>(strands_.size())});
@@ -182,10 +183,11 @@ WireSkin::Surroundings WireSkin::between(const Strand& strand, float link) const
         return surroundings_[static_cast<std::size_t>(strand.firstStation + k % n)];
     };
     const Surroundings &a = at(i), &b = at(i + 1);
-    return {
-        .open = {glm::mix(a.open.all, b.open.all, s), glm::mix(a.open.lean, b.open.lean, s)},
-        .hidden = {glm::mix(a.hidden[0], b.hidden[0], s), glm::mix(a.hidden[1], b.hidden[1], s)},
-        .layers = glm::mix(a.layers, b.layers, s)};
+    Surroundings mixed;
+    mixed.open = mix(a.open, b.open, s);
+    for (std::size_t k = 0; k < 2; ++k) mixed.hidden[k] = glm::mix(a.hidden[k], b.hidden[k], s);
+    mixed.layers = glm::mix(a.layers, b.layers, s);
+    return mixed;
 }
 
 // Widths and covers. Of a stack so far away that its wires, wider than they are, cover each other
@@ -222,7 +224,8 @@ void WireSkin::shade(const Strand& strand, const Lens& lens, std::span<MeshVerte
         const auto ring = vertices.subspan(i * corners, corners);
         if (i < rings && section_.across == 0 && relief < 1) bend(p, relief, lens, ring);
         for (MeshVertex& v : ring) {
-            v.cavity = around.open.at(v.normal);
+            v.cavity = around.open.at(glm::dot(v.normal, p.director),
+                                      glm::dot(v.normal, glm::cross(p.tangent, p.director)));
             for (const glm::vec3& hidden : around.hidden)
                 v.cavity *= 1 - groove * lost(v.normal, hidden, relief);
         }

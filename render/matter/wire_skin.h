@@ -50,7 +50,7 @@ private:
     // What stands about a station.
     struct Surroundings {
         Openness open;
-        Beside hidden;     // towards the turns beside, as long as the part that they hide
+        Beside hidden{};   // towards the turns beside, as long as the part that they hide
         float layers = 1;  // of wire, as wide as it is drawn, over a pixel
     };
 

@@ -108,19 +108,34 @@ std::array<glm::vec3, rays> sphereOfRays() {
 // Ever coarser: a ray widens as it goes.
 std::vector<Smoke> smokes(std::span<const WireStation> stations, float width) {
     std::vector<Smoke> levels;
-    for (const float widths : {2.0f, 4.0f, 8.0f, 16.0f}) levels.emplace_back(stations, width, widths * width);
+    for (const float widths : {2.0f, 4.0f, 8.0f})
+        levels.emplace_back(stations, width, widths * width);
     return levels;
 }
 
-// Part of the light from there that is left, but for what lies within three widths.
+// Part of the light from there that is left.
 float clear(std::span<const Smoke> levels, const glm::vec3& from, const glm::vec3& towards) {
-    float depth = 0, way = 1.5f * levels[0].size();
+    float depth = 0, way = 0;
     for (const Smoke& smoke : levels)
-        for (int i = 0; i < 2; ++i) {
+        for (int i = 0; i < 4; ++i) {
             depth += smoke.size() * smoke.at(from + (way + 0.5f * smoke.size()) * towards);
             way += smoke.size();
         }
     return std::exp(-depth);
+}
+
+// Of the light of the half sphere about `n`. Rays begin where the smoke of the surface itself ends.
+float openTo(std::span<const Smoke> levels, const glm::vec3& p, const glm::vec3& n) {
+    static const std::array<glm::vec3, rays> directions = sphereOfRays();
+    const glm::vec3 from = p + 1.25f * levels[0].size() * n;
+    float sum = 0, weights = 0;
+    for (const glm::vec3& d : directions) {
+        const float weight = glm::dot(d, n);
+        if (weight <= 0) continue;
+        sum += weight * clear(levels, from, d);
+        weights += weight;
+    }
+    return sum / weights;
 }
 
 // Links by the cell of their middle, to look through those around a point.
@@ -219,19 +234,42 @@ std::vector<Beside> besides(std::span<const WireStation> stations, float reach) 
     return result;
 }
 
+float Openness::at(float x, float y) const {
+    const float rest = std::max(1 - x * x - y * y, 0.0f);
+    return x * x * sides[x > 0 ? 0 : 2] + y * y * sides[y > 0 ? 1 : 3] +
+           rest / 4 * (sides[0] + sides[1] + sides[2] + sides[3]);
+}
+
+namespace {
+
+Openness opennessAt(std::span<const Smoke> levels, const WireStation& s) {
+    const glm::vec3 across = glm::cross(s.tangent, s.director);
+    return {{openTo(levels, s.place, s.director), openTo(levels, s.place, across),
+             openTo(levels, s.place, -s.director), openTo(levels, s.place, -across)}};
+}
+
+}  // namespace
+
+Openness mix(const Openness& a, const Openness& b, float s) {
+    Openness result;
+    for (std::size_t k = 0; k < 4; ++k) result.sides[k] = glm::mix(a.sides[k], b.sides[k], s);
+    return result;
+}
+
 std::vector<Openness> opennessOf(std::span<const WireStation> stations, float width) {
-    static const std::array<glm::vec3, rays> directions = sphereOfRays();
     const std::vector<Smoke> levels = smokes(stations, width);
-    std::vector<Openness> result;
-    for (const WireStation& s : stations) {
-        // Weighted by cosines: of a clear half of the sphere this is exact.
-        Openness open{0, glm::vec3(0)};
-        for (const glm::vec3& d : directions) {
-            const float part = clear(levels, s.place, d) / rays;
-            open.all += part;
-            open.lean += 2 * part * d;
-        }
-        result.push_back(open);
+    std::vector<Openness> result(stations.size());
+    std::size_t last = 0;  // that was worked out; it is blended to the next
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+        const bool first = i == 0 || !joined(stations[i - 1], stations[i]),
+                   ends = i + 1 == stations.size() || !joined(stations[i], stations[i + 1]);
+        const float way = first ? 0 : stations[i].length - stations[last].length;
+        if (!first && !ends && way < 12 * width) continue;
+        result[i] = opennessAt(levels, stations[i]);
+        for (std::size_t k = last + 1; !first && k < i; ++k)
+            result[k] =
+                mix(result[last], result[i], (stations[k].length - stations[last].length) / way);
+        last = i;
     }
     return result;
 }

@@ -12,9 +12,10 @@ namespace plait {
 // A point of one of several wires.
 struct WireStation {
     glm::vec3 place{0};    // m
-    glm::vec3 tangent{0};  // of length 1
-    float length = 0;      // m, along its wire
-    float round = 0;       // m, of its whole wire if that is closed
+    glm::vec3 tangent{0};  // of length 1, as the next
+    glm::vec3 director{0};
+    float length = 0;  // m, along its wire
+    float round = 0;   // m, of its whole wire if that is closed
     int wire = 0;
 };
 
@@ -25,16 +26,20 @@ struct WireStation {
 using Beside = std::array<glm::vec3, 2>;
 std::vector<Beside> besides(std::span<const WireStation> stations, float reach);
 
-// Part of the light from around that arrives at a surface of normal n: all + dot(lean, n).
+// Part of the light from around that arrives at a surface across the wire: of those that face along
+// the director, across it, and away from both (an ambient cube, without its ends).
 struct Openness {
-    float all = 1;
-    glm::vec3 lean{0};
+    std::array<float, 4> sides{1, 1, 1, 1};
 
-    float at(const glm::vec3& n) const { return glm::clamp(all + glm::dot(lean, n), 0.0f, 1.0f); }
+    // x along the director, y across; what is left of the normal's length is taken for their mean.
+    float at(float x, float y) const;
 };
 
+Openness mix(const Openness& a, const Openness& b, float s);
+
 // Of each point, from what lies farther away than some three widths: the wires become a smoke of
-// the same mean shadow, `width` (m) wide, through which 32 rays are cast, some sixty widths far.
+// the same mean shadow, `width` (m) wide, through which rays are cast, some sixty widths far, from
+// a point every twelve; between these it is blended.
 std::vector<Openness> opennessOf(std::span<const WireStation> stations, float width);
 
 }  // namespace plait

@@ -76,7 +76,7 @@ Scene coil(const Knobs&) {
     look.color = {0.46, 0.49, 0.52};
     look.section = {.along = steel.along, .across = steel.across};
     look.directors = rod.directors;
-    addBox(view, {-0.06, steel.across, -0.06}, {0.06, 0.02, 0.06});
+    addBar(view, {-0.06, 0.006, 0}, {0.06, 0.006, 0}, 0.005, Material::brass);
     return scene;
 }
 
