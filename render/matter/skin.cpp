@@ -220,7 +220,7 @@ void Skin::update(std::span<const Vec<double>> positions, std::span<const glm::v
     triangles_.resize(static_cast<std::size_t>(surfaceTriangles_));
     if (surfaceVertices_ > 0) updateSurface(!tints.empty());
     updateCurves();
-    if (wire_) updateWire(positions, lens);
+    if (wire_) updateWire(*wire_, positions, lens);
     if (coil_) updateCoil(*coil_);
 }
 
@@ -288,15 +288,15 @@ void Skin::updateCurves() {
     }
 }
 
-void Skin::updateWire(std::span<const Vec<double>> positions, const Lens& lens) {
+void Skin::updateWire(WireSkin& wire, std::span<const Vec<double>> positions, const Lens& lens) {
     if (static_cast<int>(positions.size()) < directors_.last)
         throw std::invalid_argument("draw: positions must be those of the whole world");
     std::vector<glm::vec3> directors;
     for (int i = directors_.first; i < directors_.last; ++i)
         directors.push_back(toGlm(positions[i]));
     const int first = static_cast<int>(vertices_.size());
-    wire_->update(coarse_, directors, coarseTints_, lens, vertices_);
-    for (const auto& [a, b, c] : wire_->triangles())
+    wire.update(coarse_, directors, coarseTints_, lens, vertices_);
+    for (const auto& [a, b, c] : wire.triangles())
         triangles_.push_back({first + a, first + b, first + c});
 }
 

@@ -56,7 +56,7 @@ private:
     void updateSurface(bool tinted);
     void addWire(std::span<const Vec<double>> rest, const Look& look, float pixel);
     void updateCurves();
-    void updateWire(std::span<const Vec<double>> positions, const Lens& lens);
+    void updateWire(WireSkin& wire, std::span<const Vec<double>> positions, const Lens& lens);
     void updateCoil(const Coil& coil);
 
     Range range_;

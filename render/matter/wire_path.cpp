@@ -63,10 +63,9 @@ public:
         if (!directors.empty()) angles = measured(path, directors);
         if (closed_) round = closing(path, angles);
         if (angles.empty() && round == 0) return;
-        for (std::size_t i = 0; i < path.size(); ++i) {
-            const float a = between(angles, round, path[i].link - 0.5f);
-            path[i].director = std::cos(a) * path[i].director +
-                               std::sin(a) * glm::cross(path[i].tangent, path[i].director);
+        for (WirePoint& p : path) {
+            const float a = between(angles, round, p.link - 0.5f);
+            p.director = std::cos(a) * p.director + std::sin(a) * glm::cross(p.tangent, p.director);
         }
     }
 
@@ -97,9 +96,7 @@ private:
             .link = static_cast<float>(i) + s};
     }
 
-    std::size_t middle(int link) const {
-        return static_cast<std::size_t>(link * steps_ + steps_ / 2);
-    }
+    int middle(int link) const { return link * steps_ + steps_ / 2; }
 
     // By how much the director of each link is ahead of the frame that is carried along; each
     // angle within half a turn of the one before.

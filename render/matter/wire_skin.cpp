@@ -95,7 +95,7 @@ void WireSkin::update(std::span<const glm::vec3> points, std::span<const glm::ve
     surroundings_.clear();
     for (const Strand& strand : strands_)
         for (int i = 0; i < strand.stations; ++i) {
-            const auto station = static_cast<std::size_t>(strand.firstStation + i);
+            const int station = strand.firstStation + i;
             surroundings_.push_back(about(near[station], open[station], pathAt(strand, i), lens));
         }
     faint_ = false;
@@ -138,7 +138,7 @@ void WireSkin::placeStrands(std::span<const glm::vec3> points,
 }
 
 const WirePoint& WireSkin::pathAt(const Strand& strand, int station) const {
-    return strand.path[static_cast<std::size_t>(station * steps_)];
+    return strand.path[station * steps_];
 }
 
 float WireSkin::thinner() const {
@@ -180,7 +180,7 @@ WireSkin::Surroundings WireSkin::between(const Strand& strand, float link) const
               i = std::min(static_cast<int>(link), strand.closed ? n - 1 : n - 2);
     const float s = link - static_cast<float>(i);
     const auto at = [&](int k) -> const Surroundings& {
-        return surroundings_[static_cast<std::size_t>(strand.firstStation + k % n)];
+        return surroundings_[strand.firstStation + k % n];
     };
     const Surroundings &a = at(i), &b = at(i + 1);
     Surroundings mixed;

@@ -36,8 +36,7 @@ Metric sag(const Rod& rod, Band band) {
             .measure =
                 [first = rod.points.first](const Snapshot& at) {
                     double sum = 0;
-                    for (int i = 0; i < links; ++i)
-                        sum += at.positions[static_cast<std::size_t>(first + i)].y;
+                    for (int i = 0; i < links; ++i) sum += at.positions[first + i].y;
                     return -1000 * (sum / links + (turns - 0.5) * steel.across);
                 },
             .low = band.low,
@@ -71,7 +70,7 @@ Scene coil(const Knobs&) {
     scene.metrics = {sag(rod, {0.95 * expected, 1.0 * expected, 4})};
 
     View& view = scene.view;
-    view = viewOf({rod.points}, {0, -0.11, 0}, 0.26, Material::brushed, {0.7, 0.35, 2.6});
+    view = viewOf({rod.points}, {0, -0.17, 0}, 0.38, Material::brushed, {0.7, 0.35, 2.6});
     Look& look = view.looks[0];
     look.color = {0.46, 0.49, 0.52};
     look.section = {.along = steel.along, .across = steel.across};
