@@ -68,7 +68,6 @@ Renderer::Renderer(const Scene& scene, const RenderOptions& options)
     rim_ = lightDirection(pose, 150, 38);
     for (const Look& look : view_.looks)
         addSkin(Skin(scene.world.complex, scene.world.rest, look, pixelAt(pose)));
-    for (const Coil& coil : view_.coils) addSkin(Skin(scene.world.rest, coil));
     for (const Prop& prop : view_.props) addSkin(Skin(prop));
 }
 
@@ -172,7 +171,7 @@ void Renderer::update(std::span<const Vec<double>> positions, const Overlay* ove
     std::vector<glm::vec3> tints;
     if (overlay)
         for (const float value : overlay->values) tints.push_back(overlayColor(*overlay, value));
-    for (std::size_t i = 0; i < view_.looks.size() + view_.coils.size(); ++i) {
+    for (std::size_t i = 0; i < view_.looks.size(); ++i) {
         skins_[i].update(positions, tints, lens);
         uploadVertices(meshes_[i].vertices, skins_[i].vertices());
     }
@@ -265,7 +264,7 @@ const char* Renderer::familyShader(Family family) {
 
 const Program& Renderer::surfaceProgram(std::size_t i, const Shot& shot) {
     const Skin& skin = skins_[i];
-    const bool prop = i >= view_.looks.size();  // or a coil
+    const bool prop = i >= view_.looks.size();
     const Family family = finishOf(skin.material()).family;
     std::string defines, vertex, light;
     if (!prop) defines += "#define FINE\n";

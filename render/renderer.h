@@ -103,7 +103,7 @@ private:
     View view_;
     RenderOptions options_;
     Context context_;
-    std::vector<Skin> skins_;  // looks first, then coils, then props
+    std::vector<Skin> skins_;  // looks first, then props
     std::vector<GpuMesh> meshes_;
     std::map<std::string, Program> surfaces_;  // by #defines and family, made when first needed
     std::string prologue_;                     // of every shader that knows the stage

@@ -66,17 +66,6 @@ struct Look {
     Range directors = {};  // of a wire, one an edge, beside its middle; none: a frame without twist
 };
 
-// A helical spring, drawn from a place that stays to the middle of a vertex.
-struct Coil {
-    Vec<double> from{0, 0, 0};
-    int to = 0;           // vertex of the world
-    double radius = 0.1;  // m, to the middle of its wire
-    double wire = 0.01;   // m, radius of it
-    int turns = 10;
-    Material material = Material::steel;
-    std::array<double, 3> color{0.397, 0.445, 0.491};
-};
-
 // What stands about and does not move, or moves as one rigid thing.
 struct Prop {
     Shape shape;
@@ -110,7 +99,6 @@ struct View {
     std::vector<Camera> cameras;  // poses in time; between them the path is smooth
     Follow follow;                // moves glow and spot as well
     std::vector<Look> looks;
-    std::vector<Coil> coils;
     std::vector<Prop> props;
     bool ground = true;  // a matte plane at y = groundHeight that dissolves into the backdrop
     double groundHeight = 0;

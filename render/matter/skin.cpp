@@ -102,16 +102,6 @@ void Skin::addWire(std::span<const Vec<double>> rest, const Look& look, float pi
     wire_.emplace(look, std::exchange(curves_, {}), points, pixel);
 }
 
-Skin::Skin(std::span<const Vec<double>> rest, const Coil& coil)
-    : range_{coil.to, coil.to + 1},
-      material_(coil.material),
-      color_(toGlm(coil.color)),
-      coil_(coil) {
-    if (coil.to < 0 || coil.to >= static_cast<int>(rest.size()) || coil.turns < 1)
-        throw std::invalid_argument("coil: needs a vertex of the world and a turn");
-    update(rest);
-}
-
 Skin::Skin(const Prop& prop) : material_(prop.material), color_(toGlm(prop.color)) {
     const auto& complex = prop.shape.complex;
     const Range all{0, complex.count(0)};
@@ -221,7 +211,6 @@ void Skin::update(std::span<const Vec<double>> positions, std::span<const glm::v
     if (surfaceVertices_ > 0) updateSurface(!tints.empty());
     updateCurves();
     if (wire_) updateWire(*wire_, positions, lens);
-    if (coil_) updateCoil(*coil_);
 }
 
 void Skin::updateSurface(bool tinted) {
@@ -298,22 +287,6 @@ void Skin::updateWire(WireSkin& wire, std::span<const Vec<double>> positions, co
     wire.update(coarse_, directors, coarseTints_, lens, vertices_);
     for (const auto& [a, b, c] : wire.triangles())
         triangles_.push_back({first + a, first + b, first + c});
-}
-
-void Skin::updateCoil(const Coil& coil) {
-    constexpr int steps = 8;  // in a turn; the tube is smooth between them
-    const glm::vec3 start = toGlm(coil.from), along = coarse_[0] - start, axis = unit(along);
-    const glm::vec3 any = std::abs(axis.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-    const glm::vec3 across = glm::normalize(glm::cross(axis, any)), up = glm::cross(across, axis);
-    std::vector<glm::vec3> points;
-    for (int i = 0; i <= steps * coil.turns; ++i) {
-        const float turn = static_cast<float>(i) / steps, a = glm::two_pi<float>() * turn;
-        points.push_back(start + turn / static_cast<float>(coil.turns) * along +
-                         static_cast<float>(coil.radius) *
-                             (std::cos(a) * up + std::sin(a) * across));
-    }
-    appendTube(points, std::vector<glm::vec3>(points.size()), false, static_cast<float>(coil.wire),
-               vertices_, triangles_);
 }
 
 }  // namespace plait

@@ -23,8 +23,6 @@ public:
     // range outside the complex or a wrong number of uv, colours or satin.
     Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, const Look& look,
          float pixel);
-    // Throws std::invalid_argument if `coil` ends at no vertex or has no turn.
-    Skin(std::span<const Vec<double>> rest, const Coil& coil);
     // A thing that stays as it is; its edges are sharp from 40 degrees on.
     explicit Skin(const Prop& prop);
 
@@ -57,7 +55,6 @@ private:
     void addWire(std::span<const Vec<double>> rest, const Look& look, float pixel);
     void updateCurves();
     void updateWire(WireSkin& wire, std::span<const Vec<double>> positions, const Lens& lens);
-    void updateCoil(const Coil& coil);
 
     Range range_;
     Material material_;
@@ -73,7 +70,6 @@ private:
     std::vector<glm::vec3> colors_;
     std::vector<float> satin_;
     std::vector<Polyline> curves_;
-    std::optional<Coil> coil_;
     std::optional<WireSkin> wire_;
     Range directors_;
     std::vector<int> balls_;
