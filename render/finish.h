@@ -7,7 +7,7 @@
 
 namespace plait {
 
-enum class Family { cloth, metal, coat, skin, tulle };
+enum class Family { cloth, metal, coat, skin, tulle, brushed };
 
 // `numbers` is what the family's shader calls `finish`.
 struct Finish {
@@ -39,6 +39,8 @@ inline Finish finishOf(Material material) {
             return {Family::tulle, {0.3f, 24, 0.5f, 0}};
         case Material::skin:
             return {Family::skin, {0.03f, 0.42f, 0.09f, 0.3f}};
+        case Material::brushed:
+            return {Family::brushed, {0, 0.26f, 0.5f, 0.35f}};
     }
     return {Family::coat, {}};
 }

@@ -1,8 +1,11 @@
 #include "renderer.h"
 
 #include "finish.h"
+#include "render/matter/back_to_front.h"
 #include "render/shaders/backdrop.h"
+#include "render/shaders/brushed.h"
 #include "render/shaders/cloth.h"
+#include "render/shaders/grade.h"
 #include "render/shaders/shadow.h"
 #include "render/shaders/skin.h"
 #include "render/shaders/stage.h"
@@ -12,6 +15,7 @@
 #include "render/stage/weave.h"
 
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +59,8 @@ Renderer::Renderer(const Scene& scene, const RenderOptions& options)
       canvas_(makeMultisampledTarget(options.width, options.height, options.samples)),
       resolved_(makeTarget(options.width, options.height, GL_RGBA16F)),
       grade_(options.width, options.height),
-      empty_(makeVertexArray()) {
+      empty_(makeVertexArray()),
+      sorted_(makeBuffer()) {
     if (view_.ground) prepareGround();
     const CameraPose pose = poseAt(view_.cameras, view_.cameras[0].time).framed(aspect());
     key_ = lightDirection(pose, -50, 42);
@@ -63,7 +68,6 @@ Renderer::Renderer(const Scene& scene, const RenderOptions& options)
     rim_ = lightDirection(pose, 150, 38);
     for (const Look& look : view_.looks)
         addSkin(Skin(scene.world.complex, scene.world.rest, look, pixelAt(pose)));
-    for (const Coil& coil : view_.coils) addSkin(Skin(scene.world.rest, coil));
     for (const Prop& prop : view_.props) addSkin(Skin(prop));
 }
 
@@ -77,12 +81,8 @@ void Renderer::addSkin(Skin skin) {
     GpuMesh mesh{makeVertexArray(), makeBuffer(), makeBuffer(), 0, {}, 1};
     glBindVertexArray(mesh.array);
     bindVertices(mesh.vertices);
-    const auto& triangles = skin.triangles();
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.triangles);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-                 static_cast<GLsizeiptr>(triangles.size() * sizeof(triangles[0])), triangles.data(),
-                 GL_STATIC_DRAW);
-    mesh.corners = static_cast<int>(3 * triangles.size());
+    uploadTriangles(mesh.triangles, skin.triangles(), GL_STATIC_DRAW);
+    mesh.corners = static_cast<int>(3 * skin.triangles().size());
     if (skin.printed()) {
         const Emblem emblem = makeEmblem(skin.size().x / skin.size().y);
         mesh.period = emblem.period * skin.size().y;
@@ -101,11 +101,51 @@ bool Renderer::isVeil(const Skin& skin) {
 
 Picture Renderer::draw(std::span<const Vec<double>> positions, double t, const Overlay* overlay,
                        const CameraPose* chosen) {
+    expose({positions, t}, overlay, chosen, glm::vec2(0));
+    return grade_.apply(resolved_.texture, static_cast<float>(view_.stage.vignette), empty_);
+}
+
+Picture Renderer::draw(std::span<const Moment> exposure, const Overlay* overlay,
+                       const CameraPose* chosen) {
     context_.makeCurrent();
+    if (!share_) {
+        share_ = Program(blurVertexShader, shareShader);
+        sum_ = makeTarget(options_.width, options_.height, GL_RGBA32F);
+    }
+    sum_.bind();
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+    for (std::size_t i = 0; i < exposure.size(); ++i) {
+        // The plastic number's powers: any of them in a row lie evenly over a pixel.
+        const glm::vec2 aside =
+            glm::fract(static_cast<float>(i) * glm::vec2(0.7548777f, 0.5698403f) + 0.5f) - 0.5f;
+        expose(exposure[i], overlay, chosen, aside);
+        sum_.bind();
+        glDisable(GL_DEPTH_TEST);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+        share_.use();
+        share_.set("source", 0, resolved_.texture);
+        share_.set("share", 1 / static_cast<float>(exposure.size()));
+        drawScreen(empty_);
+        glDisable(GL_BLEND);
+    }
+    return grade_.apply(sum_.texture, static_cast<float>(view_.stage.vignette), empty_);
+}
+
+void Renderer::expose(const Moment& moment, const Overlay* overlay, const CameraPose* chosen,
+                      const glm::vec2& aside) {
+    context_.makeCurrent();
+    const double t = moment.time;
     const CameraPose pose = (chosen ? *chosen : poseOf(view_, t)).framed(aspect());
     Shot shot{pose, pose.matrix(aspect()), overlay != nullptr};
+    if (aside != glm::vec2(0))
+        shot.camera = glm::translate(
+                          glm::mat4(1),
+                          glm::vec3(2.0f * aside / glm::vec2(options_.width, options_.height), 0)) *
+                      shot.camera;
     way_ = wayAt(view_.follow, t);
-    update(positions, overlay);
+    update(moment.positions, overlay, shot);
     findSubject(shot);
     renderShadows();
     drawMirror(shot);
@@ -115,21 +155,24 @@ Picture Renderer::draw(std::span<const Vec<double>> positions, double t, const O
     glClear(GL_DEPTH_BUFFER_BIT);
     drawSkins(shot);
     drawBackdrop(shot);
+    drawFaint(shot);
     drawVeils(shot);
 
     glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas_.framebuffer);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer);
     glBlitFramebuffer(0, 0, options_.width, options_.height, 0, 0, options_.width, options_.height,
                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    return grade_.apply(resolved_.texture, static_cast<float>(view_.stage.vignette), empty_);
 }
 
-void Renderer::update(std::span<const Vec<double>> positions, const Overlay* overlay) {
+void Renderer::update(std::span<const Vec<double>> positions, const Overlay* overlay,
+                      const Shot& shot) {
+    const Lens lens{shot.pose.eye, shot.pose.forward(),
+                    2 * std::tan(shot.pose.fieldOfView / 2) / static_cast<float>(options_.height)};
     std::vector<glm::vec3> tints;
     if (overlay)
         for (const float value : overlay->values) tints.push_back(overlayColor(*overlay, value));
-    for (std::size_t i = 0; i < view_.looks.size() + view_.coils.size(); ++i) {
-        skins_[i].update(positions, tints);
+    for (std::size_t i = 0; i < view_.looks.size(); ++i) {
+        skins_[i].update(positions, tints, lens);
         uploadVertices(meshes_[i].vertices, skins_[i].vertices());
     }
     std::vector<const Skin*> veils;
@@ -142,11 +185,37 @@ void Renderer::drawSkins(const Shot& shot) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     for (std::size_t i = 0; i < skins_.size(); ++i) {
-        if (isVeil(skins_[i])) continue;
+        if (isVeil(skins_[i]) || skins_[i].faint()) continue;
+        useSurface(i, shot);
+        drawMesh(i);
+    }
+}
+
+// Closed skins show their outside only.
+void Renderer::drawMesh(std::size_t i) const {
+    if (skins_[i].isWire()) glEnable(GL_CULL_FACE);
+    glBindVertexArray(meshes_[i].array);
+    glDrawElements(GL_TRIANGLES, meshes_[i].corners, GL_UNSIGNED_INT, nullptr);
+    glDisable(GL_CULL_FACE);
+}
+
+// Wires that are thinner than they are drawn: over all that is opaque, farther turns first.
+void Renderer::drawFaint(const Shot& shot) {
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthFunc(GL_LESS);
+    for (std::size_t i = 0; i < skins_.size(); ++i) {
+        if (!skins_[i].faint()) continue;
         useSurface(i, shot);
         glBindVertexArray(meshes_[i].array);
-        glDrawElements(GL_TRIANGLES, meshes_[i].corners, GL_UNSIGNED_INT, nullptr);
+        uploadTriangles(sorted_,
+                        backToFront(skins_[i].triangles(), skins_[i].vertices(), shot.pose.eye,
+                                    skins_[i].group()),
+                        GL_STREAM_DRAW);
+        drawMesh(i);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, meshes_[i].triangles);
     }
+    glDisable(GL_BLEND);
 }
 
 void Renderer::drawVeils(const Shot& shot) {
@@ -187,22 +256,29 @@ const char* Renderer::familyShader(Family family) {
             return skinShader;
         case Family::tulle:
             return tulleShader;
+        case Family::brushed:
+            return brushedShader;
     }
     return coatShader;
 }
 
 const Program& Renderer::surfaceProgram(std::size_t i, const Shot& shot) {
     const Skin& skin = skins_[i];
-    const bool prop = i >= view_.looks.size();  // or a coil
+    const bool prop = i >= view_.looks.size();
     const Family family = finishOf(skin.material()).family;
     std::string defines, vertex, light;
     if (!prop) defines += "#define FINE\n";
     if (shot.overlay && !prop) defines += "#define OVERLAY\n";
     if (skin.colored() || family == Family::tulle) defines += "#define COLORS\n";
     if (family == Family::skin) defines += "#define SKIN\n";
+    if (skin.isWire()) defines += "#define WIRE\n";
     if (family == Family::tulle) {
         defines += "#define TULLE\n";
         vertex = tulleLightShader;
+    }
+    if (family == Family::brushed) {
+        defines += "#define BRUSHED\n";
+        vertex = brushedLightShader;
     }
     if (family == Family::cloth) {
         if (skin.printed() && !shot.overlay) defines += "#define PRINT\n";

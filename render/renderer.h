@@ -28,6 +28,12 @@ struct RenderOptions {
     GlChoice gl = GlChoice::automatic;
 };
 
+// Where all vertices of the world are (m) at a time (s).
+struct Moment {
+    std::span<const Vec<double>> positions;
+    double time = 0;
+};
+
 // Owns its context. Any thread may draw, one at a time. The same positions, time and overlay give
 // the same bits, whatever was drawn before and however many threads Mesa uses.
 class Renderer {
@@ -42,6 +48,11 @@ public:
     // Positions of all vertices of the world (m) at time t (s); the camera is where the view puts
     // it then, or `chosen`. The overlay has a value for each vertex.
     Picture draw(std::span<const Vec<double>> positions, double t, const Overlay* overlay = nullptr,
+                 const CameraPose* chosen = nullptr);
+
+    // The mean light of some moments, as a film that is exposed to all of them takes it; edges
+    // are smoother, since each is taken a part of a pixel aside.
+    Picture draw(std::span<const Moment> exposure, const Overlay* overlay = nullptr,
                  const CameraPose* chosen = nullptr);
 
     const Context& context() const { return context_; }
@@ -64,13 +75,18 @@ private:
     };
 
     float aspect() const;
+    // Light of one moment to resolved_; `aside` is in pixels.
+    void expose(const Moment& moment, const Overlay* overlay, const CameraPose* chosen,
+                const glm::vec2& aside);
     void addSkin(Skin skin);
     void prepareGround();
-    void update(std::span<const Vec<double>> positions, const Overlay* overlay);
+    void update(std::span<const Vec<double>> positions, const Overlay* overlay, const Shot& shot);
     void findSubject(const Shot& shot);
     void renderShadows();
     void drawCasters(const glm::mat4& matrix);
     void drawSkins(const Shot& shot);
+    void drawMesh(std::size_t i) const;
+    void drawFaint(const Shot& shot);
     void drawVeils(const Shot& shot);
     void useSurface(std::size_t i, const Shot& shot);
     const Program& surfaceProgram(std::size_t i, const Shot& shot);
@@ -87,7 +103,7 @@ private:
     View view_;
     RenderOptions options_;
     Context context_;
-    std::vector<Skin> skins_;  // looks first, then coils, then props
+    std::vector<Skin> skins_;  // looks first, then props
     std::vector<GpuMesh> meshes_;
     std::map<std::string, Program> surfaces_;  // by #defines and family, made when first needed
     std::string prologue_;                     // of every shader that knows the stage
@@ -97,9 +113,11 @@ private:
     ShadowBlur keyCover_, skyCover_, skyMoments_;
     Veils veils_;
     std::optional<FloorMirror> mirror_;
-    Target canvas_, resolved_;
+    Target canvas_, resolved_, sum_;
+    Program share_;
     Grade grade_;
     VertexArray empty_;
+    Buffer sorted_;  // triangles of what is faint
     glm::vec3 key_{0}, fill_{0}, rim_{0};
     glm::vec3 subject_{0};  // what casts shadows, and how far around it, m
     float radius_ = 1;

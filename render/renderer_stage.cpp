@@ -107,6 +107,7 @@ void Renderer::drawMirror(const Shot& shot) {
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, 0, options_.width, groundRows(shot) / 2 + 1);
     drawSkins(image);
+    drawFaint(image);
     drawVeils(image);
     glDisable(GL_SCISSOR_TEST);
     mirror.end(empty_);

@@ -25,9 +25,33 @@ struct Camera {
 
 // A tulle is a net: what lies behind it is seen, and dimmed by each layer; it is to be drawn by
 // triangles. Skin may wear satin where its look says so.
-enum class Material { silk, cotton, brass, steel, matte, rubber, wire, satin, tulle, skin };
+// Brushed metal has a grain along its wire: its highlights are drawn out across it.
+enum class Material {
+    silk,
+    cotton,
+    brass,
+    steel,
+    matte,
+    rubber,
+    wire,
+    satin,
+    tulle,
+    skin,
+    brushed,
+};
 
-// How one object of the world is drawn: its triangles, or its curves as tubes of `radius`.
+// Of a wire: a rectangle of `along` by `across` its director, or, without the latter, a circle of
+// the diameter `along`.
+struct Section {
+    double along = 0;   // m
+    double across = 0;  // m
+    double bevel = 1;   // 0 .. 1: radius of the rectangle's corners in halves of its thinner side
+};
+
+// How one object of the world is drawn: its triangles, or its curves as tubes of `radius`, or, with
+// a `section`, as wires: swept along a smooth curve through the vertices, with the frame that the
+// directors have, at least 1.5 pixels wide and fainter where they are thinner, and darker where
+// turns lie close. Wires are of metal, rubber or matte.
 struct Look {
     Range object;
     Material material = Material::silk;
@@ -38,17 +62,8 @@ struct Look {
     // By vertex of the object; none: `color`, and bare skin.
     std::vector<std::array<double, 3>> colors = {};  // linear
     std::vector<double> satin = {};                  // 0 .. 1, how much of it skin wears
-};
-
-// A helical spring, drawn from a place that stays to the middle of a vertex.
-struct Coil {
-    Vec<double> from{0, 0, 0};
-    int to = 0;           // vertex of the world
-    double radius = 0.1;  // m, to the middle of its wire
-    double wire = 0.01;   // m, radius of it
-    int turns = 10;
-    Material material = Material::steel;
-    std::array<double, 3> color{0.397, 0.445, 0.491};
+    Section section = {};
+    Range directors = {};  // of a wire, one an edge, beside its middle; none: a frame without twist
 };
 
 // What stands about and does not move, or moves as one rigid thing.
@@ -84,7 +99,6 @@ struct View {
     std::vector<Camera> cameras;  // poses in time; between them the path is smooth
     Follow follow;                // moves glow and spot as well
     std::vector<Look> looks;
-    std::vector<Coil> coils;
     std::vector<Prop> props;
     bool ground = true;  // a matte plane at y = groundHeight that dissolves into the backdrop
     double groundHeight = 0;

@@ -23,7 +23,7 @@ int render(const Arguments& arguments) {
 
     Pictures pictures(run, folder, options);
     Progress progress(run.entry->name, options.first - 1, options.last, arguments.has("quiet"));
-    for (int i = 1; i <= options.last; ++i) {
+    for (int i = 0; i <= options.last; ++i) {
         stopIfInterrupted();
         pictures.add(folder.frame(i));
         progress.show(pictures.done());

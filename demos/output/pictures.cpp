@@ -36,6 +36,8 @@ Settings wordsOf(const PictureOptions& options) {
         {"overlay", options.overlay},
         {"caption", options.caption ? "yes" : "no"},
         {"gl", options.gl}};
+    if (options.subframes > 1)
+        settings.emplace_back("subframes", std::to_string(options.subframes));
     if (const auto& camera = options.camera) {
         std::string words;
         for (const double n : {camera->eye.x, camera->eye.y, camera->eye.z, camera->target.x,
@@ -45,6 +47,26 @@ Settings wordsOf(const PictureOptions& options) {
     }
     return settings;
 }
+
+// Moments of half a frame's time, as a film camera has it, up to `frame`, and what keeps them: on
+// straight ways from the frame before.
+struct Exposure {
+    Exposure(const RunFrame& before, const RunFrame& frame, int moments) {
+        constexpr double open = 0.5;
+        positions.reserve(static_cast<std::size_t>(moments));
+        for (int i = 0; i < moments; ++i) {
+            const double s = 1 - open * (moments - 1 - i) / moments;
+            std::vector<Vec<double>> x = frame.positions;
+            for (std::size_t v = 0; v < x.size(); ++v)
+                x[v] = (1 - s) * before.positions[v] + s * frame.positions[v];
+            positions.push_back(std::move(x));
+            all.push_back({positions.back(), (1 - s) * before.time + s * frame.time});
+        }
+    }
+
+    std::vector<std::vector<Vec<double>>> positions;
+    std::vector<Moment> all;
+};
 
 std::string numbersOf(const Run& run, const RunFrame& frame) {
     const auto rounded = [](const char* format, double value) {
@@ -187,18 +209,27 @@ void Pictures::Work::draw() {
         pose = CameraPose{vec(c->eye), vec(c->target),
                           static_cast<float>(2 * std::atan(10.125 / c->focalLength))};
     }
+    std::optional<RunFrame>
+        before;  // the last frame, where pictures are exposed to what lies between
     while (std::optional<RunFrame> frame = frames.pop()) {
+        if (frame->number < options.first) {
+            before = std::move(*frame);
+            continue;
+        }
         const auto begin = std::chrono::steady_clock::now();
         const fs::path path = folder.picturePath(frame->number);
         Drawn drawn{.frame = {}, .picture = {}, .fresh = !(options.keep && fs::exists(path))};
         if (drawn.fresh) {
             const Overlay overlay = overlays.of(*frame);
+            const Overlay* const colors = overlays.none() ? nullptr : &overlay;
+            const CameraPose* const chosen = pose ? &*pose : nullptr;
             drawn.picture =
-                lens.draw(frame->positions, frame->time, overlays.none() ? nullptr : &overlay,
-                          pose ? &*pose : nullptr);
+                before ? lens.draw(Exposure(*before, *frame, options.subframes).all, colors, chosen)
+                       : lens.draw(frame->positions, frame->time, colors, chosen);
         } else {
             drawn.picture = readPng(path);
         }
+        if (options.subframes > 1) before = *frame;
         drawn.frame = std::move(*frame);
         note(drawing, begin);
         if (!pictures.push(std::move(drawn))) return;
@@ -253,7 +284,9 @@ Pictures::~Pictures() = default;
 
 void Pictures::add(RunFrame frame) {
     work_->rethrow();
-    if (frame.number < work_->options.first || frame.number > work_->options.last) return;
+    const PictureOptions& options = work_->options;
+    const int needed = options.first - (options.subframes > 1 ? 1 : 0);
+    if (frame.number < needed || frame.number > options.last) return;
     if (!work_->frames.push(std::move(frame), stopIfInterrupted)) work_->rethrow();
 }
 

@@ -25,6 +25,7 @@ struct PictureOptions {
     int first = 1, last = 1;       // frames that are drawn
     std::string overlay = "none";  // overlayNames()
     bool caption = true;
+    int subframes = 1;  // moments of which a picture is the mean
     bool webp = false;  // clip.webp as well, an animation that loops
     std::string gl = "auto";
     std::optional<FixedCamera> camera;
@@ -42,7 +43,7 @@ public:
     // and a picture takes longer than one would wait.
     ~Pictures();
 
-    // The next frame, from 1 on; waits while the stages are busy. Throws what they threw, and
+    // The next frame, from 0 on; waits while the stages are busy. Throws what they threw, and
     // Interrupted.
     void add(RunFrame frame);
     // Waits until everything is on disk, at most `seconds`. True when it is.

@@ -89,6 +89,7 @@ void addPictures(JsonWriter& json, const Record& record) {
         .field("first", pictures.first)
         .field("last", pictures.last)
         .field("overlay", pictures.overlay)
+        .field("subframes", pictures.subframes)
         .field("caption", pictures.caption)
         .field("library", record.glLibrary)
         .field("renderer", record.glRenderer)

@@ -41,7 +41,9 @@ void RunJob::begin() {
     const int last = folder_->lastFrame();
     if (last < 0) {
         timed("settle", [&] { settle(*simulation_, run_, options_.quiet); });
-        return keep(simulation_->frame());
+        const RunFrame start = simulation_->frame();
+        keep(start);
+        return show(start);
     }
     const auto path = folder_->checkpointPath();
     simulation_->restore(readWhole(path), path.string());
@@ -78,7 +80,7 @@ void RunJob::keep(const RunFrame& frame) {
 }
 
 void RunJob::show(const RunFrame& frame) {
-    if (pictures_ && frame.number > 0) pictures_->add(frame);
+    if (pictures_) pictures_->add(frame);
 }
 
 void RunJob::finishPictures(Progress& progress) {

@@ -94,6 +94,7 @@ std::vector<Option> pictureOptions() {
             {"frames", "A:B", "which are drawn; all are simulated"},
             {"camera", "X,Y,Z:X,Y,Z[:MM]", "that stands: eye, target, focal length"},
             {"overlay", overlays, "colours by a quantity, with a legend"},
+            {"subframes", "N", "moments of half a frame's time that a picture is the mean of; 1"},
             {"no-caption", "", "without the strip at the bottom"},
             {"webp", "", "clip.webp as well, an animation that loops"},
             {"gl", "auto|osmesa|egl", "what draws"}};
@@ -111,6 +112,8 @@ PictureOptions requestedPictures(const Arguments& arguments, const Run& run) {
     options.overlay = arguments.value("overlay", "none");
     parseChoice("--overlay", options.overlay, overlayNames());
     options.caption = !arguments.has("no-caption");
+    options.subframes =
+        static_cast<int>(parseInteger("--subframes", arguments.value("subframes", "1"), 1, 64));
     options.webp = arguments.has("webp");
     options.gl = arguments.value("gl", "auto");
     parseChoice("--gl", options.gl, {"auto", "osmesa", "egl"});

@@ -30,4 +30,11 @@ void uploadVertices(const Buffer& buffer, std::span<const MeshVertex> vertices) 
                  GL_STREAM_DRAW);
 }
 
+void uploadTriangles(const Buffer& buffer, std::span<const std::array<int, 3>> triangles,
+                     GLenum usage) {
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size_bytes()),
+                 triangles.data(), usage);
+}
+
 }  // namespace plait

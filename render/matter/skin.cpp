@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace plait {
 namespace {
@@ -84,20 +85,21 @@ Skin::Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, 
         if (triangles[i].empty()) edges.push_back({ends[0] - range_.first, ends[1] - range_.first});
     }
     curves_ = polylines(edges, range_.size());
+    if (look.section.along > 0) addWire(rest, look, pixel);
     for (int i = 0; i < range_.size(); ++i)
         if (!covered[i]) balls_.push_back(i);
     if (!balls_.empty()) ball_ = sphere({.subdivisions = 2, .radius = look.radius});
     update(rest);
 }
 
-Skin::Skin(std::span<const Vec<double>> rest, const Coil& coil)
-    : range_{coil.to, coil.to + 1},
-      material_(coil.material),
-      color_(toGlm(coil.color)),
-      coil_(coil) {
-    if (coil.to < 0 || coil.to >= static_cast<int>(rest.size()) || coil.turns < 1)
-        throw std::invalid_argument("coil: needs a vertex of the world and a turn");
-    update(rest);
+void Skin::addWire(std::span<const Vec<double>> rest, const Look& look, float pixel) {
+    directors_ = look.directors;
+    if (surfaceVertices_ > 0 || directors_.first < 0 ||
+        directors_.last > static_cast<int>(rest.size()))
+        throw std::invalid_argument("look: a wire is a curve, its directors are in the world");
+    std::vector<glm::vec3> points;
+    for (int i = range_.first; i < range_.last; ++i) points.push_back(toGlm(rest[i]));
+    wire_.emplace(look, std::exchange(curves_, {}), points, pixel);
 }
 
 Skin::Skin(const Prop& prop) : material_(prop.material), color_(toGlm(prop.color)) {
@@ -192,7 +194,8 @@ void Skin::layCloth(std::span<const Vec<double>> rest,
     if (subdivision_.size() > 0) subdivision_.apply<glm::vec2>(uv, uv_);
 }
 
-void Skin::update(std::span<const Vec<double>> positions, std::span<const glm::vec3> tints) {
+void Skin::update(std::span<const Vec<double>> positions, std::span<const glm::vec3> tints,
+                  const Lens& lens) {
     if (range_.size() == 0) return;  // a prop
     if (static_cast<int>(positions.size()) < range_.last ||
         (!tints.empty() && static_cast<int>(tints.size()) < range_.last))
@@ -207,7 +210,7 @@ void Skin::update(std::span<const Vec<double>> positions, std::span<const glm::v
     triangles_.resize(static_cast<std::size_t>(surfaceTriangles_));
     if (surfaceVertices_ > 0) updateSurface(!tints.empty());
     updateCurves();
-    if (coil_) updateCoil(*coil_);
+    if (wire_) updateWire(*wire_, positions, lens);
 }
 
 void Skin::updateSurface(bool tinted) {
@@ -274,20 +277,16 @@ void Skin::updateCurves() {
     }
 }
 
-void Skin::updateCoil(const Coil& coil) {
-    constexpr int steps = 8;  // in a turn; the tube is smooth between them
-    const glm::vec3 start = toGlm(coil.from), along = coarse_[0] - start, axis = unit(along);
-    const glm::vec3 any = std::abs(axis.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-    const glm::vec3 across = glm::normalize(glm::cross(axis, any)), up = glm::cross(across, axis);
-    std::vector<glm::vec3> points;
-    for (int i = 0; i <= steps * coil.turns; ++i) {
-        const float turn = static_cast<float>(i) / steps, a = glm::two_pi<float>() * turn;
-        points.push_back(start + turn / static_cast<float>(coil.turns) * along +
-                         static_cast<float>(coil.radius) *
-                             (std::cos(a) * up + std::sin(a) * across));
-    }
-    appendTube(points, std::vector<glm::vec3>(points.size()), false, static_cast<float>(coil.wire),
-               vertices_, triangles_);
+void Skin::updateWire(WireSkin& wire, std::span<const Vec<double>> positions, const Lens& lens) {
+    if (static_cast<int>(positions.size()) < directors_.last)
+        throw std::invalid_argument("draw: positions must be those of the whole world");
+    std::vector<glm::vec3> directors;
+    for (int i = directors_.first; i < directors_.last; ++i)
+        directors.push_back(toGlm(positions[i]));
+    const int first = static_cast<int>(vertices_.size());
+    wire.update(coarse_, directors, coarseTints_, lens, vertices_);
+    for (const auto& [a, b, c] : wire.triangles())
+        triangles_.push_back({first + a, first + b, first + c});
 }
 
 }  // namespace plait

@@ -5,6 +5,7 @@
 #include "polyline.h"
 #include "scenes/view.h"
 #include "subdivision.h"
+#include "wire_skin.h"
 
 #include <array>
 #include <optional>
@@ -14,29 +15,32 @@
 namespace plait {
 
 // Triangles are smoothed and, where they are wide, divided once (unless they bound tetrahedra);
-// edges without triangles become tubes, points without edges balls. Simplices belong to the object
-// if all their vertices do.
+// edges without triangles become tubes or wires, points without edges balls. Simplices belong to
+// the object if all their vertices do.
 class Skin {
 public:
     // `pixel`: m, that a pixel shows of the object. Throws std::invalid_argument if `look` has a
     // range outside the complex or a wrong number of uv, colours or satin.
     Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, const Look& look,
          float pixel);
-    // Throws std::invalid_argument if `coil` ends at no vertex or has no turn.
-    Skin(std::span<const Vec<double>> rest, const Coil& coil);
     // A thing that stays as it is; its edges are sharp from 40 degrees on.
     explicit Skin(const Prop& prop);
 
     // Positions of the whole world (m); tints of an overlay by vertex of the world, or none.
-    void update(std::span<const Vec<double>> positions, std::span<const glm::vec3> tints = {});
+    // Wires are as wide as `lens` wants them.
+    void update(std::span<const Vec<double>> positions, std::span<const glm::vec3> tints = {},
+                const Lens& lens = {});
 
     const std::vector<MeshVertex>& vertices() const { return vertices_; }
     const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
     Material material() const { return material_; }
     const glm::vec3& color() const { return color_; }
     bool printed() const { return printed_; }
-    bool colored() const { return !colors_.empty(); }  // by vertex, unless tinted
-    const glm::vec2& size() const { return size_; }    // m, of the cloth along u and v
+    bool isWire() const { return wire_.has_value(); }
+    bool faint() const { return wire_ && wire_->faint(); }            // to be blended
+    std::size_t group() const { return wire_ ? wire_->group() : 1; }  // WireSkin
+    bool colored() const { return !colors_.empty(); }                 // by vertex, unless tinted
+    const glm::vec2& size() const { return size_; }  // m, of the cloth along u and v
     // m, of an edge of a surface whose triangles are as small as is seen: there light changes
     // little from vertex to vertex. Otherwise 0.
     float facet() const { return facet_; }
@@ -48,8 +52,9 @@ private:
     void layCloth(std::span<const Vec<double>> rest, std::span<const std::array<int, 3>> triangles,
                   const Look& look);
     void updateSurface(bool tinted);
+    void addWire(std::span<const Vec<double>> rest, const Look& look, float pixel);
     void updateCurves();
-    void updateCoil(const Coil& coil);
+    void updateWire(WireSkin& wire, std::span<const Vec<double>> positions, const Lens& lens);
 
     Range range_;
     Material material_;
@@ -65,7 +70,8 @@ private:
     std::vector<glm::vec3> colors_;
     std::vector<float> satin_;
     std::vector<Polyline> curves_;
-    std::optional<Coil> coil_;
+    std::optional<WireSkin> wire_;
+    Range directors_;
     std::vector<int> balls_;
     Shape ball_;
 

@@ -18,13 +18,10 @@ public:
     void draw(const glm::vec3& eye);
 
 private:
-    void sort(const glm::vec3& eye);
-
     VertexArray array_;
     Buffer vertexBuffer_, triangleBuffer_;
     std::vector<MeshVertex> vertices_;
-    std::vector<std::array<int, 3>> triangles_, sorted_;
-    std::vector<float> distance_;
+    std::vector<std::array<int, 3>> triangles_;
 };
 
 }  // namespace plait

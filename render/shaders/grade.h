@@ -3,6 +3,15 @@
 
 namespace plait {
 
+// Of one moment of an exposure.
+inline constexpr const char* shareShader = R"glsl(#version 330 core
+uniform sampler2D source;
+uniform float share;
+in vec2 place;
+out vec4 result;
+void main() { result = share * texelFetch(source, ivec2(gl_FragCoord.xy), 0); }
+)glsl";
+
 // A quarter of the size: what is brighter than .9.
 inline constexpr const char* brightShader = R"glsl(#version 330 core
 uniform sampler2D source;

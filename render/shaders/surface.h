@@ -25,13 +25,22 @@ uniform float facet;  // m, between vertices
 centroid out vec3 frontDiffuse, frontShine, backDiffuse, backShine;
 #else
 centroid out vec3 P, N, T;
+#ifdef WIRE
+centroid
+#endif
 out vec2 vertexShade;
 #endif
 #ifdef TULLE
 centroid out vec3 frontDiffuse, frontShine;
 #endif
+#ifdef BRUSHED
+centroid out vec3 vertexMirrored;
+#endif
 #ifdef SKIN
 out float vertexSatin;
+#endif
+#ifdef WIRE
+centroid out float vertexCover;  // of what lies behind
 #endif
 void main() {
     vec3 p = position + normal * sign(dot(normal, eye - position)) * thickness;
@@ -47,6 +56,9 @@ void main() {
     N = normal;
     T = tangent;
     vertexShade = vec2(1, cavity);
+#ifdef WIRE
+    vertexCover = satin;
+#endif
 #ifdef SKIN
     vertexSatin = satin;
 #endif
@@ -54,6 +66,9 @@ void main() {
     tulleLight(normalize(eye - p), normal, tangent, keyVisible(p, normal), frontDiffuse, frontShine);
 #elif defined FINE
     vertexShade.x = keyVisible(P, normal);
+#endif
+#ifdef BRUSHED
+    vertexMirrored = mirroredLight(normalize(eye - p), normal, tangent, vertexShade.x);
 #endif
 #endif
     gl_Position = camera * vec4(p, 1);
@@ -82,6 +97,9 @@ out vec4 result;
 
 #ifndef SMALL
 centroid in vec3 P, N, T;
+#ifdef WIRE
+centroid
+#endif
 in vec2 vertexShade;
 
 // Widening of a lobe by the spread of normals in a pixel (Kaplanyan et al. 2016): no sparkles.
@@ -102,8 +120,15 @@ float keyLight(vec3 n) {
 #endif
 }
 
-// How much of the sky is open.
+// How much of the sky is open; of a wire, how much of all around.
+#ifdef WIRE
+centroid in float vertexCover;
+float openness() { return vertexShade.y * mix(.55, 1.0, skyVisible(P)); }
+vec4 shown(vec3 light) { return vertexCover * vec4(light, 1); }
+#else
 float openness() { return mix(.55, 1.0, skyVisible(P)); }
+vec4 shown(vec3 light) { return vec4(light, 1); }
+#endif
 
 // GGX with half vector h, without masking.
 float lobe(vec3 n, vec3 h, float nl, float alpha2) {
@@ -142,7 +167,7 @@ void main() {
     vec3 shine = keyColor * key * lobe(n, normalize(keyDirection + v), dot(n, keyDirection), alpha2) +
                  rimColor * lobe(n, normalize(rimDirection + v), dot(n, rimDirection), alpha2);
     vec3 rough = keyColor * key * max(dot(n, keyDirection), 0.0) + hemisphere(n);
-    result = vec4(blend(base, .4 * finish.y * rough, fresnel * (around * open + .4 * shine)), 1);
+    result = shown(blend(base, .4 * finish.y * rough, fresnel * (around * open + .4 * shine)));
 }
 )glsl";
 
@@ -161,7 +186,7 @@ void main() {
     vec3 shine = keyColor * key * lobe(n, normalize(keyDirection + v), nk, alpha2) +
                  rimColor * lobe(n, normalize(rimDirection + v), dot(n, rimDirection), alpha2);
     shine = .25 * pi * finish.x * shine + fresnel * backdrop(reflect(-v, n), .5) * open;
-    result = vec4(blend(surfaceColor(), diffuse, shine), 1);
+    result = shown(blend(surfaceColor(), diffuse, shine));
 }
 )glsl";
 

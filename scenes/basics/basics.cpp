@@ -47,18 +47,11 @@ Scene unitSpring(const Knobs&) {
                       .low = -1.001,
                       .high = 1.001,
                       .caption = true}};
-    // It slides on a bar, its spring 2 m long at rest.
+    // It slides on a bar; its spring is no matter and is not drawn.
     View& view = scene.view;
     view = viewOf({point}, {-0.25, 0, 0}, 1.1, Material::brass, {0.55, 0.75, 4.4});
     view.cameras[0].across = 1;
     view.looks[0].radius = 0.19;
-    view.coils = {{.from = {-2, 0, 0},
-                   .to = 0,
-                   .radius = 0.14,
-                   .wire = 0.022,
-                   .turns = 15,
-                   .material = Material::rubber,
-                   .color = {0.578, 0.032, 0.014}}};
     addBar(view, {-2, 0, 0}, {1.5, 0, 0}, 0.025, Material::steel);
     for (const double x : {-2.15, 1.5})
         addBox(view, {x, view.groundHeight, -0.35}, {x + 0.15, 0.4, 0.35});

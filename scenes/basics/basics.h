@@ -8,6 +8,7 @@ namespace plait {
 Scene band(const Knobs&);
 Scene bullet(const Knobs&);
 Scene cantilever(const Knobs&);
+Scene coil(const Knobs&);
 Scene elbow(const Knobs&);
 Scene hangingChain(const Knobs&);
 Scene hangingSheet(const Knobs&);
