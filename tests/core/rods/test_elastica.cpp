@@ -146,8 +146,7 @@ TEST_CASE("elastica: any load, mesh and number of substeps", "[rods][long]") {
             const int most = substeps < 10 ? 64 : 512;
             double worst = 0, speed = 0;
             for (const int links : {8, 16, 32, 64, 128, 256, 512}) {
-                if (links > most || (substeps == 400 && links != 8 && links != 64 && links != 512))
-                    continue;
+                if (links > most || (substeps == 400 && links > 64 && gamma != 10)) continue;
                 const HeavyRod rod{.gamma = gamma, .links = links, .substeps = substeps};
                 const Tip tip = simulate<float>(rod);
                 worst = std::max(worst, off(tip, exact(rod)));
