@@ -123,49 +123,6 @@ TEST_CASE("frames: between clamps that turn a rod is an arc", "[rods]") {
     }
 }
 
-namespace {
-
-// How fast what a kick leaves aside grows (1/s) in a strip that stands on edge, clamped at one end,
-// under `load` = w L^3 / B, B its weak stiffness.
-double growthUnder(double load) {
-    constexpr int links = 32;
-    World world;
-    const Wire wire{.along = 0.06, .across = 1e-3};
-    const Rod rod =
-        addRod(world, clampedLine(links), {.wire = wire, .toward = {{0, 1, 0}}}, {.name = "strip"});
-    clampStart(world, rod);
-    const double g = load * wire.bending() / (wire.density * wire.area());
-    world.act<Gravity>(GravityOptions{.acceleration = {0, -g, 0}});
-    for (int v = rod.points.first + 2; v < rod.points.last; ++v)
-        world.velocity[v].z = 1e-3 * world.rest[v].x;
-    Solver<double> solver(world, stepping(10, 6));
-    const auto largest = [&](int frames) {
-        double aside = 0;
-        for (int frame = 0; frame < frames; ++frame) {
-            solver.frame();
-            aside = std::max(aside, std::fabs(solver.positions()[rod.points.last - 1].z));
-        }
-        return aside;
-    };
-    largest(24 * 8);
-    const double early = largest(24 * 8), late = largest(24 * 8);
-    return std::log(late / early) / 8;
-}
-
-}  // namespace
-
-// Prandtl, Michell 1899: w L^3 / B = 12.85 sqrt(C / B), where the strong side is stiff enough.
-TEST_CASE("frames: a strip on edge buckles sideways under its weight", "[rods]") {
-    const Wire wire{.along = 0.06, .across = 1e-3};
-    const double critical = 12.8538 * std::sqrt(wire.twisting() / wire.bending());
-    for (const double part : {0.97, 1.03}) {
-        const double growth = growthUnder(part * critical);
-        note("growth at " + std::to_string(part) + " of the load, 1/s", growth);
-        const double excess = growth * (part - 1);
-        CHECK(excess > 0);
-    }
-}
-
 TEST_CASE("frames: what cannot be a rod is refused by name", "[rods]") {
     const auto add = [](const Shape& curve, const RodOptions& options) {
         World world;
