@@ -6,6 +6,7 @@
 
 #include <plait/constraints/constants.h>
 #include <plait/forces/gravity.h>
+#include <plait/stencils.h>
 
 #include <algorithm>
 #include <cmath>
@@ -146,6 +147,38 @@ TEST_CASE("rods: one of points only droops as one with frames does", "[rods]") {
     }
     note("droop, m", -tip[0]);
     CHECK(report("apart, m", std::fabs(tip[0] - tip[1]), 1e-4));
+}
+
+// Without stiffness it is a chain, and a frame that nothing turns is not twisted.
+TEST_CASE("rods: one as good as without stiffness swings as a chain", "[rods]") {
+    const auto swing = [](auto hold) {
+        World world;
+        const int first = hold(world);
+        world.pin({first});
+        world.act<Gravity>(GravityOptions{.acceleration = {0, -9.81, 1}});
+        Solver<double> solver(world, stepping(40, 0, 2));
+        for (int frame = 0; frame < 24; ++frame) solver.frame();
+        const auto x = solver.positions();
+        return std::vector(x.begin() + first, x.begin() + first + links + 1);
+    };
+    constexpr Wire limp{.youngs = 1e-3, .along = 1e-3};
+    const auto chained = swing([](World& world) {
+        const Range all = world.add(chain({.links = links}), {.density = limp.density * 7.85e-7});
+        world.constrain(restRows<Stretch>(edgeStencils(world.complex, all), world.rest),
+                        {.name = "links", .direct = true});
+        return all.first;
+    });
+    for (const RodModel model : {RodModel::straight, RodModel::framed}) {
+        const auto limply = swing([model](World& world) {
+            return addRod(world, chain({.links = links}), {.wire = limp, .model = model},
+                          {.name = "rod"})
+                .points.first;
+        });
+        double off = 0;
+        for (std::size_t v = 0; v < limply.size(); ++v)
+            off = std::max(off, length(limply[v] - chained[v]));
+        CHECK(report("off the chain after 1 s, m", off, 1e-3));  // two sets, each of first order
+    }
 }
 
 // A flat wire as a coil, few turns of it in weak gravity, as in test_frames.cpp: torsion alone.
