@@ -35,7 +35,7 @@ public:
         const auto f = options_.on(state.position(first), state.position(first + 1), t);
         for (int i = 0; i < 2; ++i) {
             const Vec<double> p = h * f[i];
-            push(state, static_cast<std::size_t>(first + i),
+            push(state, static_cast<std::size_t>(first) + static_cast<std::size_t>(i),
                  {static_cast<Real>(p.x), static_cast<Real>(p.y), static_cast<Real>(p.z)});
         }
     }

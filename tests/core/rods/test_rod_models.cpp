@@ -162,14 +162,14 @@ TEST_CASE("rods: one as good as without stiffness swings as a chain", "[rods]") 
         return std::vector(x.begin() + first, x.begin() + first + links + 1);
     };
     constexpr Wire limp{.youngs = 1e-3, .along = 1e-3};
-    const auto chained = swing([](World& world) {
+    const auto chained = swing([&](World& world) {
         const Range all = world.add(chain({.links = links}), {.density = limp.density * 7.85e-7});
         world.constrain(restRows<Stretch>(edgeStencils(world.complex, all), world.rest),
                         {.name = "links", .direct = true});
         return all.first;
     });
     for (const RodModel model : {RodModel::straight, RodModel::framed}) {
-        const auto limply = swing([model](World& world) {
+        const auto limply = swing([&](World& world) {
             return addRod(world, chain({.links = links}), {.wire = limp, .model = model},
                           {.name = "rod"})
                 .points.first;
