@@ -1,5 +1,7 @@
 #include "rod.h"
 
+#include "../numbers/elementary.h"
+#include "bend_vector.h"
 #include "chain_set.h"
 #include "frame_rows.h"
 
@@ -11,47 +13,19 @@
 namespace plait {
 namespace {
 
-// Second moments of the section: about the director, across it, and of torsion; m^4.
-struct Moments {
-    double director, side, torsion;
-};
-
-Moments momentsOf(const Wire& wire) {
-    const double u = wire.along, v = wire.across;
-    if (v == 0) {
-        const double moment = pi * u * u * u * u / 64;
-        return {moment, moment, 2 * moment};
-    }
-    const double a = std::max(u, v), b = std::min(u, v), thin = b / a;
-    const double torsion =
-        a * b * b * b * (1.0 / 3 - 0.21 * thin * (1 - thin * thin * thin * thin / 12));
-    return {u * v * v * v / 12, v * u * u * u / 12, torsion};
-}
-
-}  // namespace
-
-double Wire::area() const { return across == 0 ? pi * along * along / 4 : along * across; }
-double Wire::bending() const { return youngs * momentsOf(*this).director; }
-double Wire::bendingSide() const { return youngs * momentsOf(*this).side; }
-double Wire::twisting() const { return youngs / (2 * (1 + poisson)) * momentsOf(*this).torsion; }
-double Wire::gyration() const {
-    const Moments moments = momentsOf(*this);
-    return squareRoot((moments.director + moments.side) / area());
-}
-
-namespace {
-
 class RodMaker {
 public:
     RodMaker(const Shape& curve, const RodOptions& options, const std::string& name)
         : curve_(curve), options_(options), name_(name) {
-        checkWire();
+        checkOptions();
         checkCurve();
+        if (framed()) arm_ = armOf();
     }
 
     Rod addTo(World& world) {
         Rod rod;
         rod.points = world.add(curve_, {.density = options_.wire.density * options_.wire.area()});
+        if (!framed()) return rod;
         rod.directors = world.add({SimplicialComplex(edges_), directors()});
         for (int e = 0; e < edges_; ++e) {
             const double mass = directorMass(e);
@@ -62,28 +36,25 @@ public:
     }
 
     Chains chains(const World& world, const Rod& rod) const {
-        const int x = rod.points.first, d = rod.directors.first;
-        std::vector<int> order, links, held;
-        for (int v = 0; v < std::ssize(curve_.positions); ++v) {
-            order.push_back(x + v);
-            if (v < edges_) order.push_back(d + v);
-        }
-        Rows<FrameTurn> turns;
-        for (int e = 0; e < edges_; ++e) {
-            links.insert(links.end(), {x + e, x + next(e)});
-            held.insert(held.end(), {x + e, x + next(e), d + e});
-            const int f = next(e);  // the vertex and the edge behind this one
-            if (f == edges_) continue;
-            turns.ids.insert(turns.ids.end(), {x + e, x + f, x + next(f), d + e, d + f});
-            turns.rows.push_back(turnOf(world, &turns.ids[turns.ids.size() - 5]));
-        }
         Chains all;
+        all.add(restRows<Stretch>(stencils(rod, edges_, 2), world.rest));
+        std::vector<int> order;
+        for (int v = 0; v < vertices_; ++v) {
+            order.push_back(rod.points.first + v);
+            if (framed() && v < edges_) order.push_back(rod.directors.first + v);
+        }
         all.addCurve(order);
-        for (int e = 0; e < edges_; ++e) all.ride({d + e, {x + e, x + next(e)}});
-        all.add(restRows<Stretch>(links, world.rest));
-        all.add(restRows<DirectorAcross>(held, world.rest));
-        all.add(restRows<DirectorLength>(held, world.rest));
-        all.add(turns);
+        switch (options_.model) {
+            case RodModel::framed:
+                holdFrames(all, world, rod);
+                break;
+            case RodModel::curved:
+                holdCurve(all, world, rod);
+                break;
+            case RodModel::straight:
+                holdStraight(all, rod);
+                break;
+        }
         return all;
     }
 
@@ -92,7 +63,9 @@ private:
         throw std::invalid_argument(name_ + ": " + what);
     }
 
-    void checkWire() const {
+    bool framed() const { return options_.model == RodModel::framed; }
+
+    void checkOptions() const {
         const Wire& wire = options_.wire;
         const auto positive = [&](double value, const char* what) {
             if (!(value > 0) || !std::isfinite(value))
@@ -106,37 +79,72 @@ private:
         if (!(wire.poisson > -1 && wire.poisson <= 0.5))
             refuse("Poisson's ratio is above -1 and at most 0.5, not " +
                    std::to_string(wire.poisson));
+        if (!framed() && (options_.arm != 0 || !options_.toward.empty()))
+            refuse("a rod of points only has no directors");
+        if (options_.model != RodModel::straight) return;
+        if (!options_.natural.empty()) refuse("a straight rod has no natural curvature");
+        if (wire.across != 0 && wire.across != wire.along)
+            refuse("a straight rod is of round wire");
     }
 
     void checkCurve() {
-        const int vertices = static_cast<int>(curve_.positions.size());
+        vertices_ = static_cast<int>(curve_.positions.size());
         edges_ = curve_.complex.count(1);
-        if (edges_ < 2 || edges_ > vertices || edges_ + 1 < vertices)
+        if (edges_ < 2 || edges_ > vertices_ || edges_ + 1 < vertices_)
             refuse("a curve has an edge between each vertex and the next");
-        double sum = 0;
+        joints_ = edges_ == vertices_ ? edges_ : edges_ - 1;
         for (int e = 0; e < edges_; ++e) {
             const auto ends = curve_.complex.vertices(1, e);
             if (std::min(ends[0], ends[1]) != std::min(e, next(e)) ||
                 std::max(ends[0], ends[1]) != std::max(e, next(e)))
                 refuse("edge " + std::to_string(e) + " does not join a vertex to the next");
             if (!(length(edge(e)) > 0)) refuse("edge " + std::to_string(e) + " has no length");
-            sum += length(edge(e));
         }
-        arm_ = options_.arm > 0 ? options_.arm
-                                : std::max(sum / edges_ / 2, 2 * options_.wire.gyration());
-        if (!(arm_ > options_.wire.gyration()))
-            refuse("an arm of " + std::to_string(arm_) +
-                   " m is too short for the inertia of the wire: above " +
-                   std::to_string(options_.wire.gyration()) + " m");
-        const std::size_t given = options_.toward.size();
-        if (given > 1 && given != static_cast<std::size_t>(edges_))
-            refuse("one direction an edge, or one for all");
+        checkCount(options_.natural.size(), joints_, "one natural curvature a joint");
+        checkCount(options_.toward.size(), edges_, "one direction an edge");
     }
 
-    int next(int vertex) const {
-        return vertex + 1 == static_cast<int>(curve_.positions.size()) ? 0 : vertex + 1;
+    void checkCount(std::size_t given, int wanted, const std::string& what) const {
+        if (given > 1 && given != static_cast<std::size_t>(wanted))
+            refuse(what + ", or one for all");
     }
+
+    double armOf() const {
+        double sum = 0;
+        for (int e = 0; e < edges_; ++e) sum += length(edge(e));
+        const double gyration = options_.wire.gyration(),
+                     arm =
+                         options_.arm > 0 ? options_.arm : std::max(sum / edges_ / 2, 2 * gyration);
+        if (!(arm > gyration))
+            refuse("an arm of " + std::to_string(arm) +
+                   " m is too short for the inertia of the wire: above " +
+                   std::to_string(gyration) + " m");
+        return arm;
+    }
+
+    int next(int vertex) const { return vertex + 1 == vertices_ ? 0 : vertex + 1; }
     Vec<double> edge(int e) const { return curve_.positions[next(e)] - curve_.positions[e]; }
+    // Of a joint half of each of its edges.
+    double jointLength(int joint) const {
+        return (length(edge(joint)) + length(edge(next(joint)))) / 2;
+    }
+
+    // The vertices from `first` on, `arity` of them, for as many firsts as told.
+    std::vector<int> stencils(const Rod& rod, int count, int arity) const {
+        std::vector<int> ids;
+        for (int first = 0; first < count; ++first)
+            for (int v = first, a = 0; a < arity; ++a, v = next(v))
+                ids.push_back(rod.points.first + v);
+        return ids;
+    }
+
+    // What is told of a joint, in rad.
+    Vec<double> natural(int joint) const {
+        const auto& given = options_.natural;
+        const Vec<double> turn = jointLength(joint) * given[given.size() == 1 ? 0 : joint];
+        if (!(length(turn) < pi)) refuse("the natural curvature is above half a turn a joint");
+        return turn;
+    }
 
     double directorMass(int e) const {
         const double part = options_.wire.gyration() / arm_;
@@ -148,8 +156,7 @@ private:
         Vec<double> last = anyAcross(edge(0));
         for (int e = 0; e < edges_; ++e) {
             const auto& given = options_.toward;
-            const Vec<double> toward =
-                given.empty() ? last : given[given.size() == 1 ? 0 : static_cast<std::size_t>(e)];
+            const Vec<double> toward = given.empty() ? last : given[given.size() == 1 ? 0 : e];
             const Vec<double> t = (1 / length(edge(e))) * edge(e);
             const Vec<double> across = toward - dot(toward, t) * t;
             if (!(length(across) > 1e-9 * length(toward)))
@@ -165,21 +172,83 @@ private:
         return cross(t, alongX ? Vec<double>{0, 1, 0} : Vec<double>{1, 0, 0});
     }
 
-    // A joint's length is half of each of its edges.
-    FrameTurn::Row<double> turnOf(const World& world, const int* ids) const {
+    void holdFrames(Chains& all, const World& world, const Rod& rod) const {
+        const int d = rod.directors.first;
+        std::vector<int> held;
+        for (int e = 0; e < edges_; ++e) {
+            const std::array edge{rod.points.first + e, rod.points.first + next(e)};
+            held.insert(held.end(), {edge[0], edge[1], d + e});
+            all.ride({d + e, edge});
+        }
+        Rows<FrameTurn> turns;
+        const std::vector<int> points = stencils(rod, joints_, 3);
+        for (int j = 0; j < joints_; ++j) {
+            turns.ids.insert(turns.ids.end(), &points[3 * j], &points[3 * j] + 3);
+            turns.ids.insert(turns.ids.end(), {d + j, d + next(j)});
+            turns.rows.push_back(turnOf(world, j, &turns.ids[5 * j]));
+        }
+        all.add(restRows<DirectorAcross>(held, world.rest));
+        all.add(restRows<DirectorLength>(held, world.rest));
+        all.add(turns);
+    }
+
+    FrameTurn::Row<double> turnOf(const World& world, int joint, const int* ids) const {
         Stencil<Vec<double>, 5> x;
         for (int a = 0; a < 5; ++a) x[a] = world.rest[ids[a]];
         auto row = FrameTurn::rest(x);
-        const double l = (length(x[1] - x[0]) + length(x[2] - x[1])) / 2;
+        const double l = jointLength(joint);
         const Wire& wire = options_.wire;
         row.compliance = {l / wire.bending(), l / wire.bendingSide(), l / wire.twisting()};
+        if (options_.natural.empty()) return row;
+        const Vec<double> turn = natural(joint);
+        const double half = length(turn) / 2;
+        row.rest = half > 0 ? (sine(half) / (half * cosine(half))) * turn : turn;
         return row;
+    }
+
+    // Torsion is the dihedral angle of the planes at both ends of an edge, pi where those are one.
+    void holdCurve(Chains& all, const World& world, const Rod& rod) const {
+        auto angles = restRows<Angle>(stencils(rod, joints_, 3), world.rest);
+        for (int j = 0; j < joints_; ++j) {
+            auto& row = angles.rows[j];
+            const double l = jointLength(j),
+                         bent = options_.natural.empty() ? row.rest : natural(j).y;
+            for (const double angle : {row.rest, bent})
+                if (!(angle > 1e-3 && angle < pi - 1e-3))
+                    refuse("joint " + std::to_string(j) +
+                           " is straight: a curved rod has a plane there");
+            row = {bent, l / options_.wire.bendingSide()};
+        }
+        std::vector<int> dihedrals;
+        const int torsions = joints_ == vertices_ ? vertices_ : joints_ - 1;
+        const std::vector<int> points = stencils(rod, torsions, 4);
+        for (int e = 0; e < torsions; ++e)
+            for (const int a : {1, 2, 0, 3}) dihedrals.push_back(points[4 * e + a]);
+        auto torsion = restRows<Bend>(dihedrals, world.rest);
+        for (int e = 0; e < torsions; ++e) {
+            auto& row = torsion.rows[e];
+            const double l = length(edge(next(e)));
+            row.compliance = l / options_.wire.twisting();
+            if (options_.natural.empty()) continue;
+            const double turn = (natural(e).z + natural(next(e)).z) / 2;
+            row.rest = turn > 0 ? turn - pi : turn + pi;
+        }
+        all.add(angles);
+        all.add(torsion);
+    }
+
+    void holdStraight(Chains& all, const Rod& rod) const {
+        Rows<BendVector> bends;
+        bends.ids = stencils(rod, joints_, 3);
+        for (int j = 0; j < joints_; ++j)
+            bends.rows.push_back({jointLength(j) / options_.wire.bending()});
+        all.add(bends);
     }
 
     const Shape& curve_;
     const RodOptions& options_;
     std::string name_;
-    int edges_ = 0;
+    int vertices_ = 0, edges_ = 0, joints_ = 0;
     double arm_ = 0;
 };
 

@@ -1,38 +1,16 @@
 // Rods with a material frame, against closed forms of their wire.
 #include "tests/catch.h"
+#include "tests/core/rods/rod_worlds.h"
 #include "tests/report.h"
 
 #include <plait/constraints/constants.h>
 #include <plait/forces/gravity.h>
-#include <plait/rods/rod.h>
-#include <plait/solver.h>
 #include <plait/stencils.h>
 
 #include <cmath>
 
 using namespace plait;
 using namespace plait::test;
-
-namespace {
-
-SolverOptions stepping(int substeps, double damping = 0) {
-    SolverOptions options{.sweeps = Sweeps::oneWay,
-                          .schedule = {.substeps = substeps, .iterations = 1}};
-    options.damping = 1 - std::exp(-damping / 24);
-    return options;
-}
-
-double fastest(const Solver<float>& solver) {
-    double speed = 0;
-    for (const Vec<double>& v : solver.velocities()) speed = std::max(speed, length(v));
-    return speed;
-}
-
-void clamp(World& world, const Rod& rod) {
-    world.pin({rod.points.first, rod.points.first + 1, rod.directors.first});
-}
-
-}  // namespace
 
 // A slinky's wire, few turns of it in weak gravity: extension m g / 2 k with k = G J / 2 pi n R^3.
 // [DC1][DC2]
@@ -80,7 +58,7 @@ TEST_CASE("frames: twist spreads evenly along a straight rod", "[rods]") {
     World world;
     const Rod rod = addRod(world, chain({.links = links}),
                            {.wire = {.along = 5e-3}, .toward = {{0, 1, 0}}}, {.name = "rod"});
-    clamp(world, rod);
+    clampStart(world, rod);
     const int last = rod.directors.last - 1;
     const Vec<double> middle{1 - 0.5 / links, 0, 0};
     world.pin({rod.points.last - 1, rod.points.last - 2});
@@ -112,7 +90,7 @@ TEST_CASE("frames: between clamps that turn a rod is an arc", "[rods]") {
         const Rod rod =
             addRod(world, chain({.links = links}),
                    {.wire = {.along = 8e-3, .across = 2e-3}, .toward = {up}}, {.name = "rod"});
-        clamp(world, rod);
+        clampStart(world, rod);
         // Where the last link lies on the arc, in the plane x y.
         Vec<double> at{};
         for (int e = 0; e < links - 1; ++e) {
@@ -142,49 +120,6 @@ TEST_CASE("frames: between clamps that turn a rod is an arc", "[rods]") {
         }
         CHECK(report("angle of the links, rad", worst, 1e-4));
         CHECK(report("speed, m/s", fastest(solver), 1e-4));
-    }
-}
-
-namespace {
-
-// How fast what a kick leaves aside grows (1/s) in a strip that stands on edge, clamped at one end,
-// under `load` = w L^3 / B, B its weak stiffness.
-double growthUnder(double load) {
-    constexpr int links = 32;
-    World world;
-    const Wire wire{.along = 0.06, .across = 1e-3};
-    const double l = 1 / (links - 0.5);
-    const Rod rod = addRod(world, chain({.links = links, .from = {-l / 2, 0, 0}}),
-                           {.wire = wire, .toward = {{0, 1, 0}}}, {.name = "strip"});
-    clamp(world, rod);
-    const double g = load * wire.bending() / (wire.density * wire.area());
-    world.act<Gravity>(GravityOptions{.acceleration = {0, -g, 0}});
-    for (int v = rod.points.first + 2; v < rod.points.last; ++v)
-        world.velocity[v].z = 1e-3 * world.rest[v].x;
-    Solver<double> solver(world, stepping(10, 6));
-    const auto largest = [&](int frames) {
-        double aside = 0;
-        for (int frame = 0; frame < frames; ++frame) {
-            solver.frame();
-            aside = std::max(aside, std::fabs(solver.positions()[rod.points.last - 1].z));
-        }
-        return aside;
-    };
-    largest(24 * 8);
-    const double early = largest(24 * 8), late = largest(24 * 8);
-    return std::log(late / early) / 8;
-}
-
-}  // namespace
-
-// Prandtl, Michell 1899: w L^3 / B = 12.85 sqrt(C / B), where the strong side is stiff enough.
-TEST_CASE("frames: a strip on edge buckles sideways under its weight", "[rods]") {
-    const Wire wire{.along = 0.06, .across = 1e-3};
-    const double critical = 12.8538 * std::sqrt(wire.twisting() / wire.bending());
-    for (const double part : {0.97, 1.03}) {
-        const double growth = growthUnder(part * critical);
-        note("growth at " + std::to_string(part) + " of the load, 1/s", growth);
-        CHECK((growth > 0) == (part > 1));
     }
 }
 
