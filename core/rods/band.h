@@ -54,10 +54,18 @@ public:
             takeInPacks(own, least);
         else
             take(own, least);
+        T right[sides];
+        for (int r = 0; r < sides; ++r) right[r] = b[r];
+#pragma GCC unroll 16
+        for (int k = halfWidth(); k > 0; --k) {
+            const T factor = factorOf(own, k);
+            for (int r = 0; r < sides; ++r) right[r] = right[r] - factor * (b + -k * sides)[r];
+        }
+        for (int r = 0; r < sides; ++r) b.put(r, right[r]);
+        if (shape_.border == 0) return;
         for (int k = halfWidth(); k > 0; --k) {
             const T factor = factorOf(own, k);
             for (int c = stretch(); c < width(); ++c) subtract(own + c, factor * above(own, k)[c]);
-            for (int r = 0; r < sides; ++r) subtract(b + r, factor * (b + -k * sides)[r]);
         }
         for (int k = 0; k < shape_.border; ++k) {
             const T factor = own[stretch() + k] * own[0];
@@ -95,6 +103,7 @@ public:
                 const Strip<T> own = row(i), b = side(i) + r, last = side(band) + r;
                 T sum = b[0];
                 for (int k = 0; k < border; ++k) sum = sum - own[stretch() + k] * last[k * sides];
+#pragma GCC unroll 16
                 for (int k = halfWidth(); k > 0; --k) sum = sum - own[k] * b[k * sides];
                 b.put(0, own[0] * sum);
             }

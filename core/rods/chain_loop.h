@@ -75,68 +75,83 @@ template <class Kind>
 inline constexpr int chainNumbers = valuesOf<Kind>() * (valueNumbers + 3 * Kind::arity) +
                                     (__is_same(Kind, Stretch) ? linkNumbers : 0);
 
+// Where what is left of a row goes, one number after another.
+template <class T>
+struct ChainOut {
+    double* at;
+    int width;
+
+    void keep(const T& number) {
+        store(at, number);
+        at += width;
+    }
+    void keep(const Vec<T>& v) {
+        keep(v.x);
+        keep(v.y);
+        keep(v.z);
+    }
+};
+
+// One value of a row at these vertices.
+template <class T, int arity>
+void keepValue(ChainOut<T>& out, const ChainRows& rows, const Stencil<ChainVertex<T>, arity>& v,
+               const T& value, const T& compliance, const Stencil<Vec<T>, arity>& gradient) {
+    const T a = rows.rates ? T(0) : compliance * T(rows.inverseH2);
+    T c = value, own = a;
+    if (rows.rates) {
+        c = T(0);
+        for (int i = 0; i < arity; ++i) c = c + dot(gradient[i], v[i].velocity);
+    }
+    Stencil<Vec<T>, arity> scaled;
+    for (int i = 0; i < arity; ++i) {
+        scaled[i] = v[i].scaled(gradient[i], rows.air);
+        own = own + dot(scaled[i], scaled[i]);
+    }
+    out.keep(c);
+    out.keep(a);
+    out.keep(own);
+    for (int i = 0; i < arity; ++i) out.keep(scaled[i]);
+}
+
+// All that is left of a row.
+template <class Kind, class T>
+void keepRow(ChainOut<T> out, const ChainRows& rows, const Stencil<ChainVertex<T>, Kind::arity>& v,
+             const typename Kind::template Row<T>& row) {
+    constexpr int arity = Kind::arity, values = valuesOf<Kind>();
+    Stencil<Vec<T>, arity> x;
+    for (int a = 0; a < arity; ++a) x[a] = v[a].x - v[0].x;
+    x[0] = {T(0), T(0), T(0)};
+    if constexpr (values > 1) {
+        Stencil<Vec<T>, arity> before;
+        for (int a = 0; a < arity; ++a) before[a] = v[a].before - v[0].before;
+        typename Kind::template Gradients<T> gradient;
+        const auto c = Kind::evaluate(row, x, before, gradient), compliance = Kind::compliance(row);
+        for (int k = 0; k < values; ++k) keepValue(out, rows, v, c[k], compliance[k], gradient[k]);
+    } else {
+        Stencil<Vec<T>, arity> gradient;
+        const T c = Kind::evaluate(row, x, gradient);
+        keepValue(out, rows, v, c, Kind::compliance(row, T(1)), gradient);
+        if constexpr (__is_same(Kind, Stretch)) {
+            out.keep(gradient[1]);
+            out.keep(length(x[1]));
+        }
+    }
+}
+
 template <class Kind, class T, bool along>
 [[gnu::flatten]] void chainRows(const ChainRows& rows) {
-    constexpr int arity = Kind::arity, n = Lanes<T>::count, values = valuesOf<Kind>();
+    constexpr int arity = Kind::arity, n = Lanes<T>::count;
     constexpr int members = sizeof(typename Kind::template Row<double>) / sizeof(double);
     const int width = n > 1 ? n : rows.width;
     for (int block = 0; block < rows.blocks; ++block)
         for (int lane = 0; lane < width; lane += n) {
             const int* const ids =
                 rows.ids + (along ? arity * block * width + lane : arity * block);
-            const auto row = chainRow<Kind, T>(rows.rows + members * block * width + lane, width);
-            ChainVertex<T> v[arity];
-            Stencil<Vec<T>, arity> x;
-            for (int a = 0; a < arity; ++a) {
+            Stencil<ChainVertex<T>, arity> v;
+            for (int a = 0; a < arity; ++a)
                 v[a] = chainVertex<Kind, T, along>(rows, ids + (along ? a * width : a), lane);
-                x[a] = v[a].x - v[0].x;
-            }
-            x[0] = {T(0), T(0), T(0)};
-            double* out = rows.out + chainNumbers<Kind> * block * width + lane;
-            const auto keep = [&](const T& number) {
-                store(out, number);
-                out += width;
-            };
-            const auto keepValue = [&](const T& value, const T& compliance,
-                                       const Stencil<Vec<T>, arity>& gradient) {
-                const T a = rows.rates ? T(0) : compliance * T(rows.inverseH2);
-                Stencil<Vec<T>, arity> scaled;
-                T c = value, own = a;
-                if (rows.rates) {
-                    c = T(0);
-                    for (int i = 0; i < arity; ++i) c = c + dot(gradient[i], v[i].velocity);
-                }
-                for (int i = 0; i < arity; ++i) {
-                    scaled[i] = v[i].scaled(gradient[i], rows.air);
-                    own = own + dot(scaled[i], scaled[i]);
-                }
-                keep(c);
-                keep(a);
-                keep(own);
-                for (int i = 0; i < arity; ++i) {
-                    keep(scaled[i].x);
-                    keep(scaled[i].y);
-                    keep(scaled[i].z);
-                }
-            };
-            if constexpr (values > 1) {
-                Stencil<Vec<T>, arity> before;
-                for (int a = 0; a < arity; ++a) before[a] = v[a].before - v[0].before;
-                typename Kind::template Gradients<T> gradient;
-                const auto c = Kind::evaluate(row, x, before, gradient),
-                           compliance = Kind::compliance(row);
-                for (int k = 0; k < values; ++k) keepValue(c[k], compliance[k], gradient[k]);
-            } else {
-                Stencil<Vec<T>, arity> gradient;
-                const T c = Kind::evaluate(row, x, gradient);
-                keepValue(c, Kind::compliance(row, T(1)), gradient);
-                if constexpr (__is_same(Kind, Stretch)) {
-                    keep(gradient[1].x);
-                    keep(gradient[1].y);
-                    keep(gradient[1].z);
-                    keep(length(x[1]));
-                }
-            }
+            keepRow<Kind, T>({rows.out + chainNumbers<Kind> * block * width + lane, width}, rows, v,
+                             chainRow<Kind, T>(rows.rows + members * block * width + lane, width));
         }
 }
 
