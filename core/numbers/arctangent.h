@@ -28,7 +28,7 @@ T polynomial(T z, double first, Rest... rest) {
 // for k times it to be exact.
 template <class T>
 T arctangent2(T y, T x) {
-    constexpr bool isDouble = __is_same(T, double);
+    constexpr bool isDouble = __is_same(Scalar<T>, double);
     const T zero = T(0), one = T(1);
     const T ax = select(x < zero, zero - x, x), ay = select(y < zero, zero - y, y);
 

@@ -1,6 +1,7 @@
-// Packs of 4, 8 or 16 floats over compiler vectors, and the transposes between vertex records and
-// packs. Kernels are written for a number type T and never mention this file: they run as double
-// (checks), float, and Pack<n>, with the same bits in every lane.
+// Packs of 4, 8 or 16 floats, or of 2, 4 or 8 doubles, over compiler vectors, and the transposes
+// between vertex records and packs of floats. Kernels are written for a number type T and never
+// mention this file: they run as double (checks), float, and Pack<n>, with the same bits in every
+// lane.
 //
 // 128-bit loads with in-register transposes halve the time of a projection against scalar code;
 // hardware gathers gain nothing (measured on AVX2 and AVX-512). Eigen arrays are not used as lanes:
@@ -15,40 +16,50 @@
 namespace plait {
 inline namespace PLAIT_ISA {
 
-template <int n>
+// The integer as wide as a number, in which comparisons answer.
+template <class S>
+struct MaskOf {
+    using Integer = int;
+};
+template <>
+struct MaskOf<double> {
+    using Integer = long;
+};
+
+template <int n, class S = float>
 struct Mask {
-    typedef int V __attribute__((vector_size(4 * n)));
+    typedef typename MaskOf<S>::Integer V __attribute__((vector_size(sizeof(S) * n)));
     V v;
     friend Mask operator&(Mask a, Mask b) { return {a.v & b.v}; }
     friend Mask operator|(Mask a, Mask b) { return {a.v | b.v}; }
 };
 
-template <int n>
+template <int n, class S = float>
 struct Pack {
-    typedef float V __attribute__((vector_size(4 * n)));
+    typedef S V __attribute__((vector_size(sizeof(S) * n)));
     V v;
 
     Pack() = default;
     explicit Pack(V lanes) : v(lanes) {}
-    template <class S>
-        requires(__is_same(S, float) || __is_same(S, double) || __is_same(S, int))
-    explicit Pack(S s) : v(static_cast<float>(s) - V{}) {}  // s - 0 keeps the sign of zero
+    template <class Number>
+        requires(__is_same(Number, float) || __is_same(Number, double) || __is_same(Number, int))
+    explicit Pack(Number s) : v(static_cast<S>(s) - V{}) {}  // s - 0 keeps the sign of zero
 
     friend Pack operator+(Pack a, Pack b) { return Pack(V(a.v + b.v)); }
     friend Pack operator-(Pack a, Pack b) { return Pack(V(a.v - b.v)); }
     friend Pack operator*(Pack a, Pack b) { return Pack(V(a.v * b.v)); }
     friend Pack operator/(Pack a, Pack b) { return Pack(V(a.v / b.v)); }
     friend Pack operator-(Pack a) { return Pack(V(-a.v)); }
-    friend Mask<n> operator<(Pack a, Pack b) { return {a.v < b.v}; }
-    friend Mask<n> operator>(Pack a, Pack b) { return {a.v > b.v}; }
-    friend Mask<n> operator<=(Pack a, Pack b) { return {a.v <= b.v}; }
-    friend Mask<n> operator>=(Pack a, Pack b) { return {a.v >= b.v}; }
-    friend Mask<n> operator==(Pack a, Pack b) { return {a.v == b.v}; }
+    friend Mask<n, S> operator<(Pack a, Pack b) { return {a.v < b.v}; }
+    friend Mask<n, S> operator>(Pack a, Pack b) { return {a.v > b.v}; }
+    friend Mask<n, S> operator<=(Pack a, Pack b) { return {a.v <= b.v}; }
+    friend Mask<n, S> operator>=(Pack a, Pack b) { return {a.v >= b.v}; }
+    friend Mask<n, S> operator==(Pack a, Pack b) { return {a.v == b.v}; }
 };
 
-template <int n>
-Pack<n> select(Mask<n> mask, Pack<n> yes, Pack<n> no) {
-    return Pack<n>(typename Pack<n>::V(mask.v ? yes.v : no.v));
+template <int n, class S>
+Pack<n, S> select(Mask<n, S> mask, Pack<n, S> yes, Pack<n, S> no) {
+    return Pack<n, S>(typename Pack<n, S>::V(mask.v ? yes.v : no.v));
 }
 
 // The compilers have no common vector square root; each branch is correctly rounded.
@@ -71,19 +82,30 @@ Pack<n> squareRoot(Pack<n> a) {
     }
 }
 
-// The scalar behind a number type, and how many of them it holds.
-template <class T>
-struct Lanes {
-    using Scalar = T;
-    static constexpr int count = 1;
-};
 template <int n>
-struct Lanes<Pack<n>> {
-    using Scalar = float;
+Pack<n, double> squareRoot(Pack<n, double> a) {
+    using V = typename Pack<n, double>::V;
+    if constexpr (n == 2) {
+        return Pack<n, double>(V(_mm_sqrt_pd(a.v)));
+#ifdef __AVX512F__
+    } else if constexpr (n == 8) {
+        return Pack<n, double>(V(_mm512_maskz_sqrt_pd(0xff, a.v)));
+#endif
+#ifdef __AVX__
+    } else if constexpr (n == 4) {
+        return Pack<n, double>(V(_mm256_sqrt_pd(a.v)));
+#endif
+    } else {
+        for (int i = 0; i < n; ++i) a.v[i] = __builtin_sqrt(a.v[i]);
+        return a;
+    }
+}
+
+template <int n, class S>
+struct Lanes<Pack<n, S>> {
+    using Scalar = S;
     static constexpr int count = n;
 };
-template <class T>
-using Scalar = typename Lanes<T>::Scalar;
 
 template <class T>
 T load(const Scalar<T>* from) {

@@ -12,6 +12,15 @@
 namespace plait {
 inline namespace PLAIT_ISA {
 
+// The scalar behind a number type, and how many of them it holds.
+template <class T>
+struct Lanes {
+    using Scalar = T;
+    static constexpr int count = 1;
+};
+template <class T>
+using Scalar = typename Lanes<T>::Scalar;
+
 inline float squareRoot(float a) { return __builtin_sqrtf(a); }
 inline double squareRoot(double a) { return __builtin_sqrt(a); }
 

@@ -1,69 +1,50 @@
-// Rows of one kind in a chain set, which knows of them only what stands here. All is double,
-// whatever the run is in: in float the end of a long rod never rests.
+// Rows of one kind in a chain set, which knows of them only what stands here.
 #pragma once
 
 #include "../constraint.h"
-#include "../constraints/constants.h"
 #include "../constraints/kinds.h"
 #include "../constraints/moving_rows.h"
-#include "../numbers/convert.h"
+#include "../sets/constraint_set.h"
+#include "chain_loop.h"
 #include "chain_plan.h"
 
-#include <span>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace plait {
 
-// One value of a row at the positions of a sweep.
-struct ChainRow {
-    double c;           // C
-    double compliance;  // on either side of C
-    Stencil<Vec<double>, mostChained> gradient;
-    Stencil<Vec<double>, mostChained> answer;  // W gradient, where the set puts it
-};
-
 class ChainPart {
 public:
     virtual ~ChainPart() = default;
 
-    int arity() const { return arity_; }
-    int values() const { return values_; }    // of a row
-    bool areLinks() const { return links_; }  // C is a distance less a constant
-    std::span<const int> ids() const { return ids_; }
-    int rows() const { return static_cast<int>(ids_.size()) / arity_; }
+    const ChainStencils& stencils() const { return stencils_; }
+    int rows() const { return static_cast<int>(stencils_.ids.size()) / stencils_.arity; }
 
     virtual void beginFrame(double /*t0*/, double /*t1*/) {}
-    virtual void begin(const Substep&) {}
+    // True if rows are no more what they were.
+    virtual bool begin(const Substep&) { return false; }
 
-    // Row i, its values to out[0], out[1] ...
-    virtual void evaluate(int i, const Sweep<float>&, ChainRow* out) const = 0;
-    virtual void evaluate(int i, const Sweep<double>&, ChainRow* out) const = 0;
+    // Numbers of a row, and those of row i.
+    virtual int members() const = 0;
+    virtual const double* row(int i) const = 0;
+
+    // `along`: for rows of one curve side by side; else for rows of as many curves.
+    virtual ChainRowsKernel kernel(KernelChoice choice, bool along) const = 0;
 
 protected:
-    ChainPart(std::span<const int> ids, int arity, int values, bool links)
-        : ids_(ids), arity_(arity), values_(values), links_(links) {}
+    explicit ChainPart(const ChainStencils& stencils) : stencils_(stencils) {}
 
 private:
-    std::span<const int> ids_;
-    int arity_, values_;
-    bool links_;
+    ChainStencils stencils_;
 };
-
-template <class Kind>
-constexpr int valuesOf() {
-    if constexpr (requires { Kind::values; })
-        return Kind::values;
-    else
-        return 1;
-}
 
 template <class Kind>
 class ChainPartOf final : public ChainPart {
 public:
     explicit ChainPartOf(SharedRows<Kind> set)
-        : ChainPart(set->ids, Kind::arity, valuesOf<Kind>(), std::is_same_v<Kind, Stretch>),
+        : ChainPart({set->ids, Kind::arity, valuesOf<Kind>(), std::is_same_v<Kind, Stretch>}),
           set_(std::move(set)),
           rows_(set_->rows),
           moving_(*set_) {
@@ -75,51 +56,34 @@ public:
     }
 
     void beginFrame(double t0, double t1) override { moving_.beginFrame(t0, t1); }
-    void begin(const Substep& substep) override {
-        if (!moving_) return;
+    bool begin(const Substep& substep) override {
+        if (!moving_) return false;
         for (int i = 0; i < rows(); ++i) rows_[i] = moving_.at(i, substep.frameFraction);
+        return true;
     }
-    void evaluate(int i, const Sweep<float>& sweep, ChainRow* out) const override {
-        evaluateIn(i, sweep, out);
-    }
-    void evaluate(int i, const Sweep<double>& sweep, ChainRow* out) const override {
-        evaluateIn(i, sweep, out);
+
+    int members() const override { return sizeof(Row) / sizeof(double); }
+    const double* row(int i) const override { return reinterpret_cast<const double*>(&rows_[i]); }
+
+    // Of a kind from outside the core that which is compiled where it is used.
+    ChainRowsKernel kernel(KernelChoice choice, bool along) const override {
+        constexpr int index = kindIndex<Kind>(ChainKinds{});
+        const auto& table = [&]() -> const ChainRowsTable& {
+            if constexpr (index < 0)
+                return chainRowsOf<Kind, double>;
+            else
+                return chainRowsKernels(choice, index);
+        }();
+        return table.evaluate[along ? 1 : 0];
     }
 
 private:
     static_assert(Kind::arity > 1 && Kind::arity <= mostChained);
 
-    template <class Real>
-    void evaluateIn(int i, const Sweep<Real>& sweep, ChainRow* out) const {
-        constexpr int arity = Kind::arity;
-        const int* const v = &set_->ids[arity * i];
-        Stencil<Vec<double>, arity> before{}, x{};
-        const Real* const first = sweep.particles + 8 * v[0];
-        for (int a = 1; a < arity; ++a) {
-            const Real* const p = sweep.particles + 8 * v[a];
-            before[a] = three(p) - three(first);
-            x[a] = before[a] + (three(p + 4) - three(first + 4));
-        }
-        const auto& row = rows_[i];
-        if constexpr (valuesOf<Kind>() > 1) {
-            typename Kind::template Gradients<double> gradient;
-            const auto c = Kind::evaluate(row, x, before, gradient),
-                       compliance = Kind::compliance(row);
-            for (int k = 0; k < Kind::values; ++k) {
-                out[k].c = c[k];
-                out[k].compliance = compliance[k];
-                for (int a = 0; a < arity; ++a) out[k].gradient[a] = gradient[k][a];
-            }
-        } else {
-            Stencil<Vec<double>, arity> gradient;
-            out->c = Kind::evaluate(row, x, gradient);
-            out->compliance = Kind::compliance(row, 1.0);
-            for (int a = 0; a < arity; ++a) out->gradient[a] = gradient[a];
-        }
-    }
+    using Row = typename Kind::template Row<double>;
 
     SharedRows<Kind> set_;
-    std::vector<typename Kind::template Row<double>> rows_;
+    std::vector<Row> rows_;
     MovingRows<Kind> moving_;
 };
 

@@ -50,7 +50,7 @@ private:
         Placed placed{-1, 0, 0, {part, row, 0, all.arity, {}}};
         for (int a = 0; a < all.arity; ++a) {
             const int v = all.ids[row * all.arity + a];
-            placed.place.at[a] = at_[v][1];
+            placed.place.at[a] = pinned_[v] ? -1 : at_[v][1];
             if (pinned_[v]) continue;
             const auto [curve, k] = at_[v];
             if (curve < 0 || (placed.curve >= 0 && curve != placed.curve))
@@ -75,50 +75,41 @@ private:
         std::ranges::sort(rows, {}, key);
         ChainCurve curve;
         curve.vertices = moving_[number];
-        for (const Placed& row : rows)
+        curve.moving = vertices;
+        for (Placed& row : rows) {
+            addPinned(row.place, curve.vertices, vertices);
             for (int value = 0; value < parts_[row.place.part].values; ++value) {
                 curve.places.push_back(row.place);
                 curve.places.back().value = value;
                 curve.border += closes(row);
             }
-        couple(curve);
-        link(curve);
+        }
+        measure(curve);
         return curve;
     }
 
-    static void couple(ChainCurve& curve) {
-        std::vector<std::vector<std::array<int, 2>>> rowsAt(curve.vertices.size());
-        const int rows = static_cast<int>(curve.places.size()), band = rows - curve.border;
-        for (int j = 0; j < rows; ++j) {
-            const ChainPlace& place = curve.places[j];
-            for (int b = 0; b < place.arity; ++b) {
-                if (place.at[b] < 0) continue;
-                auto& before = rowsAt[place.at[b]];
-                before.push_back({j, b});
-                for (const auto& [i, a] : before) {
-                    curve.couplings.push_back({i, j, a, b});
-                    if (j < band) curve.halfWidth = std::max(curve.halfWidth, j - i);
-                }
-            }
+    // Those that do not move stand behind the `moving`, each once.
+    void addPinned(ChainPlace& place, std::vector<int>& vertices, int moving) const {
+        for (int a = 0; a < place.arity; ++a) {
+            if (place.at[a] >= 0) continue;
+            const int v = parts_[place.part].ids[place.row * place.arity + a];
+            const auto known = std::find(vertices.begin() + moving, vertices.end(), v);
+            place.at[a] = static_cast<int>(known - vertices.begin());
+            if (known == vertices.end()) vertices.push_back(v);
         }
-        std::ranges::sort(curve.couplings, [](const ChainCoupling& x, const ChainCoupling& y) {
-            return std::array{x.i, x.j, x.a} < std::array{y.i, y.j, y.a};
-        });
     }
 
-    void link(ChainCurve& curve) const {
-        const int vertices = static_cast<int>(curve.vertices.size());
-        for (int i = 0; i < static_cast<int>(curve.places.size()); ++i) {
-            const ChainPlace& place = curve.places[i];
-            if (!parts_[place.part].links) continue;
-            const auto [a, b] = std::minmax(place.at[0], place.at[1]);
-            curve.links.push_back({i, place.at[0], place.at[1]});
-            if (a < 0) continue;
-            if (2 * (b - a) > std::max(vertices, 16))
-                curve.linkBorder = std::max(curve.linkBorder, vertices - b);
-            else
-                curve.linkWidth = std::max(curve.linkWidth, b - a);
-        }
+    // How far apart rows of the band are that share a vertex.
+    static void measure(ChainCurve& curve) {
+        std::vector<int> first(curve.moving, -1);
+        const int band = static_cast<int>(curve.places.size()) - curve.border;
+        for (int j = 0; j < band; ++j)
+            for (int a = 0; a < curve.places[j].arity; ++a) {
+                const int v = curve.places[j].at[a];
+                if (v >= curve.moving) continue;
+                if (first[v] < 0) first[v] = j;
+                curve.halfWidth = std::max(curve.halfWidth, j - first[v]);
+            }
     }
 
     std::span<const ChainStencils> parts_;
@@ -133,6 +124,14 @@ std::vector<ChainCurve> planChains(std::span<const ChainStencils> parts,
                                    std::span<const std::vector<int>> curves,
                                    std::span<const unsigned char> pinned) {
     return Planner(parts, curves, pinned).plan();
+}
+
+bool samePlan(const ChainCurve& a, const ChainCurve& b) {
+    const auto same = [](const ChainPlace& x, const ChainPlace& y) {
+        return x.part == y.part && x.value == y.value && x.at == y.at;
+    };
+    return a.moving == b.moving && a.vertices.size() == b.vertices.size() && a.border == b.border &&
+           std::ranges::equal(a.places, b.places, same);
 }
 
 }  // namespace plait

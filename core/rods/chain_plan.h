@@ -13,27 +13,13 @@ inline constexpr int mostChained = 5;  // vertices of a row
 struct ChainPlace {
     int part, row, value;
     int arity;
-    std::array<int, mostChained> at;  // places of its vertices in ChainCurve::vertices, -1: pinned
-};
-
-// Two rows of a curve, by their places there, that share a vertex that moves: the vertex is at the
-// places a and b of their stencils.
-struct ChainCoupling {
-    int i, j;  // i <= j
-    int a, b;
-};
-
-// A row that is the distance of two vertices: its place and theirs, -1 where pinned.
-struct ChainLink {
-    int row, a, b;
+    std::array<int, mostChained> at;  // places of its vertices in ChainCurve::vertices
 };
 
 struct ChainCurve {
-    std::vector<int> vertices;       // that move, in order
+    std::vector<int> vertices;       // that move, in order; then those of its rows that do not
+    int moving = 0;                  // how many of them move
     std::vector<ChainPlace> places;  // the border last
-    std::vector<ChainCoupling> couplings;
-    std::vector<ChainLink> links;
-    int linkWidth = 0, linkBorder = 0;  // of a system of the vertices that links join
     int halfWidth = 0, border = 0;
 };
 
@@ -41,7 +27,7 @@ struct ChainCurve {
 struct ChainStencils {
     std::span<const int> ids;
     int arity, values;
-    bool links = false;
+    bool links = false;  // C is a distance less a constant
 };
 
 // `curves`: the vertices of each, in order, each vertex that moves in one curve at most. A row
@@ -52,5 +38,9 @@ struct ChainStencils {
 std::vector<ChainCurve> planChains(std::span<const ChainStencils> parts,
                                    std::span<const std::vector<int>> curves,
                                    std::span<const unsigned char> pinned);
+
+// True if nothing but vertices and rows tells the two apart, so that they can be solved side by
+// side.
+bool samePlan(const ChainCurve& a, const ChainCurve& b);
 
 }  // namespace plait

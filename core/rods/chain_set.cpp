@@ -1,5 +1,6 @@
 #include "chain_set.h"
 
+#include "../numbers/convert.h"
 #include "../sets/tree_solve.h"  // redundant
 
 #include <algorithm>
@@ -15,30 +16,86 @@ Vec<double> movedBy(const Sweep<Real>& sweep, const std::array<int, 2>& edge) {
     return three(sweep.particles + 8 * edge[0] + 4) + three(sweep.particles + 8 * edge[1] + 4);
 }
 
+// How many curves run side by side, or rows of one: doubles where there is room for so many floats.
+int lanesOf(KernelChoice choice) { return std::max(choice.lanes / 2, 1); }
+
 }  // namespace
 
 template <class Real>
 ChainSet<Real>::ChainSet(Parts parts, std::span<const std::vector<int>> curves,
-                         std::span<const unsigned char> pinned, std::vector<ChainRider> riders)
-    : parts_(std::move(parts)), riders_(std::move(riders)), middles_(riders_.size()) {
+                         std::span<const unsigned char> pinned, KernelChoice choice,
+                         std::vector<ChainRider> riders)
+    : parts_(std::move(parts)),
+      riders_(std::move(riders)),
+      middles_(riders_.size()),
+      choice_(choice),
+      kernels_(chainKernels<Real>(choice)) {
     std::vector<ChainStencils> stencils;
     for (const auto& part : parts_) {
-        stencils.push_back({part->ids(), part->arity(), part->values(), part->areLinks()});
-        size_ += static_cast<long>(part->rows()) * part->values();
+        stencils.push_back(part->stencils());
+        rowKernels_.push_back({part->kernel(choice, false), part->kernel(choice, true)});
+        size_ += static_cast<long>(part->rows()) * part->stencils().values;
     }
-    for (ChainCurve& plan : planChains(stencils, curves, pinned)) {
-        const std::size_t rows = plan.places.size(), vertices = plan.vertices.size();
-        Banded system(static_cast<int>(rows), plan.halfWidth, plan.border),
-            turning(static_cast<int>(vertices), plan.linkWidth, plan.linkBorder);
-        const std::vector<double> zeros(rows, 0);
-        std::vector<Coupling> couplings;
-        for (const ChainCoupling& c : std::exchange(plan.couplings, {}))
-            couplings.push_back({c, system.place(c.i, c.j)});
-        curves_.push_back({std::move(plan), std::move(system), std::vector<ChainRow>(rows),
-                           std::move(couplings), zeros, zeros, zeros, std::move(turning),
-                           std::vector<Response<double, true>>(vertices),
-                           std::vector<Vec<double>>(vertices), std::vector<Vec<double>>(vertices)});
+    const std::vector<ChainCurve> plans = planChains(stencils, curves, pinned);
+    std::vector<std::vector<const ChainCurve*>> alike;
+    for (const ChainCurve& plan : plans) {
+        const auto group = std::ranges::find_if(
+            alike, [&](const auto& others) { return samePlan(*others[0], plan); });
+        (group == alike.end() ? alike.emplace_back() : *group).push_back(&plan);
     }
+    const auto lanes = static_cast<std::size_t>(lanesOf(choice));
+    for (const auto& group : alike) {
+        const std::size_t wide = lanes > 1 ? group.size() / lanes * lanes : 0;
+        layOut(std::span(group).first(wide), false);
+        layOut(std::span(group).subspan(wide), true);
+    }
+}
+
+// Units of curves of one plan.
+template <class Real>
+void ChainSet<Real>::layOut(std::span<const ChainCurve* const> curves, bool along) {
+    if (curves.empty()) return;
+    std::vector<ChainStencils> stencils;
+    std::vector<int> members;
+    for (const auto& part : parts_) {
+        stencils.push_back(part->stencils());
+        members.push_back(part->members());
+    }
+    const ChainLayout& layout =
+        layouts_.emplace_back(*curves[0], stencils, members, lanesOf(choice_), along);
+    const auto lanes = static_cast<std::size_t>(layout.curves());
+    for (std::size_t first = 0; first < curves.size(); first += lanes) {
+        Unit unit{static_cast<int>(layouts_.size()) - 1, {}, {}, {}, {}};
+        const auto of = curves.subspan(first, lanes);
+        for (std::size_t v = 0; v < of[0]->vertices.size(); ++v)
+            for (const ChainCurve* curve : of) unit.ids.push_back(curve->vertices[v]);
+        for (const auto& part : layout.parts())
+            for (std::size_t i = 0; i < of[0]->places.size(); ++i)
+                if (of[0]->places[i].part == part.part && of[0]->places[i].value == 0)
+                    for (const ChainCurve* curve : of) unit.rows.push_back(curve->places[i].row);
+        unit.parameters.resize(static_cast<std::size_t>(layout.parameters()));
+        unit.lambda.resize(static_cast<std::size_t>(layout.rows()) * lanes);
+        for (const auto& part : layout.parts()) fill(unit, part);
+        units_.push_back(std::move(unit));
+    }
+}
+
+// The parameters of one part as they are now. Blocks are filled up with its last row.
+template <class Real>
+void ChainSet<Real>::fill(Unit& unit, const ChainLayout::Part& part) const {
+    const ChainLayout& layout = layouts_[unit.layout];
+    const ChainPart& from = *parts_[part.part];
+    const int members = from.members(), width = layout.width(), curves = layout.curves(),
+              slots = part.blocks * width / curves;
+    int begin = 0;
+    for (const auto& other : layout.parts())
+        if (other.part < part.part) begin += other.rows * curves;
+    for (int r = 0; r < slots; ++r)
+        for (int c = 0; c < curves; ++c) {
+            const int row = unit.rows[begin + std::min(r, part.rows - 1) * curves + c];
+            double* const to = &unit.parameters[part.parameters + layout.slot(r, members) + c];
+            for (int m = 0; m < members; ++m) to[m * width] = from.row(row)[m];
+        }
 }
 
 template <class Real>
@@ -48,158 +105,67 @@ void ChainSet<Real>::beginFrame(double t0, double t1) {
 
 template <class Real>
 void ChainSet<Real>::begin(const Substep& substep, Workers&) {
-    for (const auto& part : parts_) part->begin(substep);
-    for (Curve& curve : curves_) std::ranges::fill(curve.lambda, 0.0);
+    fresh_ = true;
+    for (int p = 0; p < static_cast<int>(parts_.size()); ++p) {
+        if (!parts_[p]->begin(substep)) continue;
+        for (Unit& unit : units_)
+            for (const auto& part : layouts_[unit.layout].parts())
+                if (part.part == p) fill(unit, part);
+    }
 }
 
+// Solves each with what change(system) makes of its system.
 template <class Real>
-template <class Body>
-void ChainSet<Real>::forCurves(Workers& workers, const Body& body) {
-    workers.forBlocks(static_cast<int>(curves_.size()), 1, [&](int begin, int end) {
-        for (int c = begin; c < end; ++c) body(curves_[c]);
+template <class Change>
+void ChainSet<Real>::forUnits(const Sweep<Real>& sweep, Workers& workers, const Change& change) {
+    if (scratch_.empty()) {
+        int most = 0;
+        for (const ChainLayout& layout : layouts_) most = std::max(most, layout.scratch());
+        scratch_.resize(workers.threads());
+        for (auto& scratch : scratch_) scratch.resize(most);
+    }
+    const long count = std::ssize(units_), shares = std::min<long>(count, std::ssize(scratch_));
+    workers.forBlocks(static_cast<int>(shares), 1, [&](int begin, int end) {
+        for (long t = begin; t < end; ++t)
+            for (long u = count * t / shares; u < count * (t + 1) / shares; ++u) {
+                Unit& unit = units_[u];
+                ChainSystem system = layouts_[unit.layout].system(
+                    unit.ids.data(), unit.lambda.data(), scratch_[t].data());
+                system.redundant = redundant;
+                change(system);
+                solve(unit, sweep, system);
+            }
     });
 }
 
 template <class Real>
-void ChainSet<Real>::evaluate(Curve& curve, const Sweep<Real>& sweep) const {
-    for (std::size_t k = 0; k < curve.responses.size(); ++k) {
-        const int v = curve.plan.vertices[k];
-        curve.responses[k] = {double(sweep.particles[8 * v + 3]),
-                              sweep.air ? three(sweep.air + 4 * v) : Vec<double>{}};
-    }
-    for (std::size_t i = 0; i < curve.plan.places.size(); ++i) {
-        const ChainPlace& place = curve.plan.places[i];
-        if (place.value == 0) parts_[place.part]->evaluate(place.row, sweep, &curve.rows[i]);
-        for (int a = 0; a < place.arity; ++a)
-            if (place.at[a] >= 0)
-                curve.rows[i].answer[a] =
-                    curve.responses[place.at[a]].of(curve.rows[i].gradient[a]);
-    }
-}
-
-// The matrix, and which of its pivots are too small.
-template <class Real>
-void ChainSet<Real>::assemble(Curve& curve, double inverseH2) {
-    curve.system.clear();
-    const std::span<double> entries = curve.system.entries();
-    for (const Coupling& c : curve.couplings)
-        entries[c.entry] += dot(curve.rows[c.i].answer[c.a], curve.rows[c.j].gradient[c.b]);
-    for (int i = 0; i < curve.system.rows(); ++i) {
-        double& own = curve.system.at(i, i);
-        own += curve.rows[i].compliance * inverseH2;
-        curve.least[i] = redundant * own;
-    }
-}
-
-// W J^T change, summed by vertex.
-template <class Real>
-void ChainSet<Real>::gather(Curve& curve) {
-    std::ranges::fill(curve.moves, Vec<double>{});
-    for (std::size_t i = 0; i < curve.plan.places.size(); ++i) {
-        const ChainPlace& place = curve.plan.places[i];
-        for (int a = 0; a < place.arity; ++a)
-            if (place.at[a] >= 0)
-                curve.moves[place.at[a]] += curve.change[i] * curve.rows[i].answer[a];
-    }
-}
-
-// From one end of a link to the other, where they are now.
-template <class Real>
-Vec<double> ChainSet<Real>::apart(const ChainLink& link, const Sweep<Real>& sweep,
-                                  const Curve& curve) const {
-    const ChainPlace& place = curve.plan.places[link.row];
-    const int* const v = &parts_[place.part]->ids()[2 * place.row];
-    const Real *const p = sweep.particles + 8 * v[0], *const q = sweep.particles + 8 * v[1];
-    return (three(q) - three(p)) + (three(q + 4) - three(p + 4));
-}
-
-// Links that pull act along where they come to lie, not along where they were: geometric stiffness,
-// as strands have it (sheets/strands/README.md). With tensions T = -change / length,
-// (M + K) e = (J(x) - J(x at first))^T change, K the sum of T (I, -I; -I, I).
-template <class Real>
-void ChainSet<Real>::turn(Curve& curve, const Sweep<Real>& sweep) const {
-    const ChainCurve& plan = curve.plan;
-    const auto moved = [&](int at) { return at < 0 ? Vec<double>{} : curve.moves[at]; };
-    curve.turning.clear();
-    std::ranges::fill(curve.turned, Vec<double>{});
-    for (int k = 0; k < curve.turning.rows(); ++k)
-        curve.turning.at(k, k) = 1 / curve.responses[k].w;
-    for (const ChainLink& link : plan.links) {
-        const double tension = -curve.change[link.row];
-        if (!(tension > 0)) continue;
-        const Vec<double> turned = apart(link, sweep, curve) + (moved(link.b) - moved(link.a));
-        const double inverse = divide(1.0, length(turned)), stiffness = tension * inverse;
-        const Vec<double> pull = tension * (curve.rows[link.row].gradient[1] - inverse * turned);
-        for (const auto& [at, sign] : {std::pair{link.a, -1.0}, {link.b, 1.0}}) {
-            if (at < 0) continue;
-            curve.turning.at(at, at) += stiffness;
-            curve.turned[at] += sign * pull;
-        }
-        if (link.a >= 0 && link.b >= 0)
-            curve.turning.at(std::min(link.a, link.b), std::max(link.a, link.b)) -= stiffness;
-    }
-    curve.turning.solve(curve.turned);
-    for (std::size_t k = 0; k < curve.moves.size(); ++k) curve.moves[k] += curve.turned[k];
-}
-
-// The part of the step to take, as of DirectSet: no vertex goes further than the curve is long.
-template <class Real>
-double ChainSet<Real>::bounded(const Curve& curve, const Sweep<Real>& sweep) const {
-    double size = 0, furthest = 0;
-    for (const ChainLink& link : curve.plan.links)
-        size += length(apart(link, sweep, curve)) + std::fabs(curve.rows[link.row].c);
-    for (const Vec<double>& move : curve.moves) furthest = std::max(furthest, length(move));
-    return size > 0 && furthest > size ? size / furthest : 1;
-}
-
-// To the three numbers of each vertex.
-template <class Real>
-void ChainSet<Real>::add(const Curve& curve, double strength, Real* to, int stride) {
-    for (std::size_t k = 0; k < curve.moves.size(); ++k) {
-        Real* const v = to + stride * curve.plan.vertices[k];
-        put(v, three(v) + strength * curve.moves[k]);
-    }
+void ChainSet<Real>::solve(Unit& unit, const Sweep<Real>& sweep, ChainSystem system) const {
+    const ChainLayout& layout = layouts_[unit.layout];
+    const int along = layout.along() ? 1 : 0;
+    kernels_.gather[along](sweep, system);
+    for (const auto& part : layout.parts())
+        rowKernels_[part.part][along]({.rows = &unit.parameters[part.parameters],
+                                       .ids = layout.ids() + part.ids,
+                                       .vertices = system.vertexNumbers,
+                                       .out = system.out + part.out,
+                                       .blocks = part.blocks,
+                                       .width = layout.width(),
+                                       .air = sweep.air != nullptr,
+                                       .rates = system.rates,
+                                       .inverseH2 = double(sweep.inverseH2)});
+    kernels_.solve[along](sweep, system);
 }
 
 template <class Real>
 void ChainSet<Real>::project(const Sweep<Real>& sweep, Direction, Workers& workers) {
-    const double inverseH2 = double(sweep.inverseH2), keep = double(sweep.keep);
-    forCurves(workers, [&](Curve& curve) {
-        evaluate(curve, sweep);
-        assemble(curve, inverseH2);
-        for (std::size_t i = 0; i < curve.change.size(); ++i) {
-            const ChainRow& row = curve.rows[i];
-            curve.lambda[i] *= keep;
-            curve.change[i] = -(row.c + row.compliance * inverseH2 * curve.lambda[i]);
-        }
-        curve.system.solve(curve.change, curve.least);
-        gather(curve);
-        turn(curve, sweep);
-        const double strength = double(sweep.strength) * bounded(curve, sweep);
-        for (std::size_t i = 0; i < curve.change.size(); ++i)
-            curve.lambda[i] += strength * curve.change[i];
-        add(curve, strength, sweep.particles + 4, 8);
-    });
+    const double keep = fresh_ ? 0 : double(sweep.keep);
+    forUnits(sweep, workers, [&](ChainSystem& system) { system.keep = keep; });
+    fresh_ = false;
 }
 
 template <class Real>
 void ChainSet<Real>::damp(const Sweep<Real>& sweep, Workers& workers) {
-    forCurves(workers, [&](Curve& curve) {
-        evaluate(curve, sweep);
-        assemble(curve, 0);
-        for (std::size_t i = 0; i < curve.change.size(); ++i) {
-            const ChainPlace& place = curve.plan.places[i];
-            double rate = 0;
-            for (int a = 0; a < place.arity; ++a) {
-                const int v = parts_[place.part]->ids()[place.row * place.arity + a];
-                rate += dot(curve.rows[i].gradient[a], three(sweep.out + 4 * v));
-            }
-            curve.change[i] = -rate;
-        }
-        curve.system.solve(curve.change, curve.least);
-        gather(curve);
-        add(curve, double(sweep.strength), sweep.out, 4);
-    });
+    forUnits(sweep, workers, [&](ChainSystem& system) { system.rates = true; });
 }
 
 template <class Real>
@@ -221,10 +187,11 @@ template class ChainSet<double>;
 
 void Chains::constrain(World& world, SetOptions options) const {
     const auto make = [chains = *this, name = options.name]<class Real>(
-                          const World& w, KernelChoice) -> std::unique_ptr<Constraint<Real>> {
+                          const World& w,
+                          KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
         typename ChainSet<Real>::Parts parts;
         for (const auto& maker : chains.makers_) parts.push_back(maker(name, w.start.size()));
-        return std::make_unique<ChainSet<Real>>(std::move(parts), chains.curves_, w.pinned,
+        return std::make_unique<ChainSet<Real>>(std::move(parts), chains.curves_, w.pinned, kernels,
                                                 chains.riders_);
     };
     world.constrain(recipeOf<Constraint>(make), std::move(options));

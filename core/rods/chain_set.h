@@ -5,11 +5,10 @@
 #pragma once
 
 #include "../constraint.h"
-#include "../kernels/kernel_loop.h"
 #include "../world.h"
-#include "banded.h"
+#include "chain_kernels.h"
+#include "chain_layout.h"
 #include "chain_part.h"
-#include "chain_plan.h"
 
 #include <array>
 #include <functional>
@@ -32,9 +31,10 @@ class ChainSet : public Constraint<Real> {
 public:
     using Parts = std::vector<std::unique_ptr<ChainPart>>;
 
-    // As planChains().
+    // As planChains(). Throws std::invalid_argument if `choice` is not available.
     ChainSet(Parts parts, std::span<const std::vector<int>> curves,
-             std::span<const unsigned char> pinned, std::vector<ChainRider> riders = {});
+             std::span<const unsigned char> pinned, KernelChoice choice,
+             std::vector<ChainRider> riders = {});
 
     void beginFrame(double t0, double t1) override;
     void begin(const Substep& substep, Workers& workers) override;
@@ -46,36 +46,30 @@ public:
     long size() const override { return size_; }
 
 private:
-    // What two rows have in common by one vertex: entry += answer . gradient.
-    struct Coupling : ChainCoupling {
-        int entry;
-    };
-    struct Curve {
-        ChainCurve plan;
-        Banded system;
-        std::vector<ChainRow> rows;
-        std::vector<Coupling> couplings;
-        std::vector<double> lambda, change, least;
-        Banded turning;  // of the vertices
-        // By vertex.
-        std::vector<Response<double, true>> responses;
-        std::vector<Vec<double>> moves, turned;
+    // A curve, or as many of one plan as run side by side.
+    struct Unit {
+        int layout;
+        std::vector<int> ids;   // of particles: by vertex, then by curve
+        std::vector<int> rows;  // by part of the layout, by row of that, by curve
+        std::vector<double> parameters, lambda;
     };
 
-    template <class Body>
-    void forCurves(Workers& workers, const Body& body);
-    void evaluate(Curve& curve, const Sweep<Real>& sweep) const;
-    static void assemble(Curve& curve, double inverseH2);
-    static void gather(Curve& curve);
-    Vec<double> apart(const ChainLink& link, const Sweep<Real>& sweep, const Curve& curve) const;
-    void turn(Curve& curve, const Sweep<Real>& sweep) const;
-    static void add(const Curve& curve, double strength, Real* to, int stride);
-    double bounded(const Curve& curve, const Sweep<Real>& sweep) const;
+    void layOut(std::span<const ChainCurve* const> curves, bool along);
+    void fill(Unit& unit, const ChainLayout::Part& part) const;
+    template <class Change>
+    void forUnits(const Sweep<Real>& sweep, Workers& workers, const Change& change);
+    void solve(Unit& unit, const Sweep<Real>& sweep, ChainSystem system) const;
 
     Parts parts_;
     std::vector<ChainRider> riders_;
     std::vector<Vec<double>> middles_;  // of their edges, twice, as noted
-    std::vector<Curve> curves_;
+    KernelChoice choice_;
+    const ChainTable<Real>& kernels_;
+    std::vector<std::array<ChainRowsKernel, 2>> rowKernels_;  // by part
+    std::vector<ChainLayout> layouts_;
+    std::vector<Unit> units_;
+    std::vector<std::vector<double>> scratch_;  // by thread
+    bool fresh_ = true;                         // no multipliers yet in this substep
     long size_ = 0;
 };
 

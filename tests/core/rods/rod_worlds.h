@@ -37,44 +37,4 @@ inline void clampStart(World& world, const Rod& rod) {
     if (rod.directors.size() > 0) world.pin({rod.directors.first});
 }
 
-// A planar chain of links (m) on hinges of stiffness B over half of both of its links, the first
-// clamped and level; `loads` (N) pull down on each link but the first at its far end and beyond.
-// The angles below the horizontal of all links but the first that leave no moment at a hinge: by
-// Newton's method, from a stiff rod to this one.
-inline std::vector<double> hangingAngles(const std::vector<double>& lengths, double stiffness,
-                                         const std::vector<double>& loads) {
-    const std::size_t n = lengths.size() - 1;
-    std::vector<double> angle(n, 0), diagonal(n), residual(n), hinge(n + 1, 0);
-    for (std::size_t k = 0; k < n; ++k) hinge[k] = 2 * stiffness / (lengths[k] + lengths[k + 1]);
-    double whole = 0;
-    for (const double l : lengths) whole += l;
-    for (double part = 1e-3 * stiffness / (loads[0] * whole * whole); part < 1.999; part *= 2) {
-        const double scale = std::min(part, 1.0);
-        for (int round = 0; round < 200; ++round) {
-            for (std::size_t k = 0; k < n; ++k) {
-                const double before = k > 0 ? angle[k - 1] : 0,
-                             behind = k + 1 < n ? angle[k + 1] : angle[k],
-                             moment = scale * loads[k] * lengths[k + 1];
-                residual[k] = moment * std::cos(angle[k]) - hinge[k] * (angle[k] - before) +
-                              hinge[k + 1] * (behind - angle[k]);
-                diagonal[k] = hinge[k] + hinge[k + 1] + std::fabs(moment * std::sin(angle[k]));
-            }
-            for (std::size_t k = 1; k < n; ++k) {
-                const double factor = hinge[k] / diagonal[k - 1];
-                diagonal[k] -= factor * hinge[k];
-                residual[k] += factor * residual[k - 1];
-            }
-            double change = 0;
-            for (std::size_t k = n; k-- > 0;) {
-                if (k + 1 < n) residual[k] += hinge[k + 1] * residual[k + 1];
-                residual[k] /= diagonal[k];
-                angle[k] += residual[k];
-                change = std::max(change, std::fabs(residual[k]));
-            }
-            if (change < 1e-13) break;
-        }
-    }
-    return angle;
-}
-
 }  // namespace plait::test

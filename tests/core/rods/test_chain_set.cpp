@@ -5,6 +5,7 @@
 #include "tests/report.h"
 
 #include <plait/constraints/kinds.h>
+#include <plait/numbers/convert.h>
 #include <plait/numbers/finite.h>
 #include <plait/rods/bend_vector.h>
 #include <plait/rods/chain_set.h>
@@ -60,7 +61,7 @@ struct Net {
     }
 
     template <class Real>
-    std::unique_ptr<ChainSet<Real>> set() const {
+    std::unique_ptr<ChainSet<Real>> set(KernelChoice choice = bestKernels()) const {
         typename ChainSet<Real>::Parts parts;
         parts.push_back(std::make_unique<ChainPartOf<BendVector>>(
             std::make_shared<const Rows<BendVector>>(bends)));
@@ -68,14 +69,26 @@ struct Net {
             std::make_unique<ChainPartOf<Stretch>>(std::make_shared<const Rows<Stretch>>(links)));
         parts.push_back(std::make_unique<ChainPartOf<DirectorAcross>>(
             std::make_shared<const Rows<DirectorAcross>>(across)));
-        return std::make_unique<ChainSet<Real>>(std::move(parts), curves, world.pinned);
+        return std::make_unique<ChainSet<Real>>(std::move(parts), curves, world.pinned, choice);
     }
 };
+
+// With the added mass of air: the same q in any precision, shorter than sqrt(w).
+template <class Real>
+void blowOn(State<Real>& state) {
+    giveAir(state);
+    Random random(11);
+    for (int v = 0; v < state.count(); ++v) {
+        const Vec<double> q = random.point(1);
+        const double size = 0.5 * std::sqrt(double(state.particles[v].w));
+        put(&state.kept[0].numbers[4 * static_cast<std::size_t>(v)], size * q);
+    }
+}
 
 template <class Real>
 Sweep<Real> sweepOf(State<Real>& state, double strength = 1) {
     return {.particles = &state.particles[0].x.x,
-            .air = nullptr,
+            .air = state.air(),
             .out = &state.velocity[0].v.x,
             .inverseH2 = static_cast<Real>(1 / (h * h)),
             .keep = 1,
@@ -86,6 +99,7 @@ Sweep<Real> sweepOf(State<Real>& state, double strength = 1) {
 struct Dense {
     Eigen::MatrixXd j;
     Eigen::VectorXd c, compliance, w;
+    Eigen::MatrixXd inverseInertia;
 
     Dense(const Net& net, const State<double>& state) : net_(net), state_(state) {
         const Eigen::Index rows = net.links.size() + 2 * net.bends.size() + net.across.size();
@@ -94,18 +108,24 @@ struct Dense {
         w = Eigen::VectorXd(3 * state.count());
         for (int v = 0; v < state.count(); ++v)
             w.segment<3>(3 * v).setConstant(state.particles[v].w);
+        inverseInertia = w.asDiagonal();
+        for (int v = 0; v < state.count() && state.air(); ++v) {
+            const double* const p = state.air() + 4 * v;
+            const Eigen::Vector3d q(p[0], p[1], p[2]);
+            inverseInertia.block<3, 3>(3 * v, 3 * v) -= q * q.transpose();
+        }
         add(net.links);
         add(net.bends);
         add(net.across);
     }
 
     Eigen::VectorXd multipliers(const Eigen::VectorXd& right, double inverseH2) const {
-        Eigen::MatrixXd a = j * w.asDiagonal() * j.transpose();
+        Eigen::MatrixXd a = j * inverseInertia * j.transpose();
         a += Eigen::MatrixXd((inverseH2 * compliance).asDiagonal());
         return a.completeOrthogonalDecomposition().solve(right);
     }
     Eigen::VectorXd moves(const Eigen::VectorXd& lambda) const {
-        return w.asDiagonal() * (j.transpose() * lambda);
+        return inverseInertia * (j.transpose() * lambda);
     }
 
     // What links that pull add to `moves` by acting along where they come to lie: of
@@ -191,6 +211,7 @@ TEST_CASE("chains: an evaluation is one Newton step, as a dense system makes it"
     for (int trial = 0; trial < 60; ++trial) {
         const Net net = randomNet(random, trial);
         State<double> state = stateOf<double>(net.world);
+        if (trial % 3 == 0) blowOn(state);
         const Dense dense(net, state);
         Workers workers{1};
         const double strength = random.uniform(0, 1), inverseH2 = 1 / (h * h);
@@ -217,6 +238,7 @@ TEST_CASE("chains: rates of all rows at once, as a dense system has them", "[rod
         Net net;  // rows that say nothing twice
         for (const int pins : {0, 1}) net.add(random, 4 + random.below(30), false, pins, false);
         State<double> state = stateOf<double>(net.world);
+        if (trial % 3 == 0) blowOn(state);
         Points before, after;
         for (int v = 0; v < state.count(); ++v) {
             state.velocity[v].v = net.world.pinned[v] ? Vec<double>{} : random.point(1);
@@ -235,25 +257,73 @@ TEST_CASE("chains: rates of all rows at once, as a dense system has them", "[rod
     CHECK(report("velocities, m/s", worst, 1e-7));
 }
 
-TEST_CASE("chains: the same bits from any number of threads", "[rods][threads]") {
-    Random random(8);
+// Of three substeps, the last of two evaluations, and rates taken off.
+template <class Real>
+State<Real> swept(const Net& net, KernelChoice choice, int threads, bool air) {
+    State<Real> state = stateOf<Real>(net.world);
+    if (air) blowOn(state);
+    Workers workers{threads};
+    const auto set = net.set<Real>(choice);
+    for (int round = 0; round < 4; ++round) {
+        if (round < 3) set->begin({h, 1}, workers);
+        set->project(sweepOf(state, 0.9), Direction::forward, workers);
+    }
+    for (int v = 0; v < state.count(); ++v)
+        state.velocity[v].v = net.world.pinned[v] ? Vec<Real>{} : state.particles[v].d;
+    set->damp(sweepOf(state, 0.5), workers);
+    return state;
+}
+
+// Of vertices first to last of a, and as many from 0 on of b.
+template <class Real>
+void requireSame(const State<Real>& a, const State<Real>& b, int first, int last) {
+    for (int v = first; v < last; ++v) {
+        REQUIRE(isFinite(a.particles[v]));
+        REQUIRE(isFinite(a.velocity[v]));
+        REQUIRE(std::memcmp(&a.particles[v], &b.particles[v - first], sizeof a.particles[v]) == 0);
+        REQUIRE(std::memcmp(&a.velocity[v], &b.velocity[v - first], sizeof a.velocity[v]) == 0);
+    }
+}
+
+// Curves of four plans, more of each than there are lanes, and one of its own.
+Net manyCurves(Random& random) {
     Net net;
-    for (int curve = 0; curve < 40; ++curve) net.add(random, 12, curve % 3 == 0, curve % 2);
-    std::vector<State<float>> states;
-    for (const int threads : {1, 2, 5}) {
-        states.push_back(stateOf<float>(net.world));
-        Workers workers{threads};
-        const auto set = net.set<float>();
-        set->begin({h, 1}, workers);
-        for (int round = 0; round < 3; ++round)
-            set->project(sweepOf(states.back()), Direction::forward, workers);
+    for (int curve = 0; curve < 41; ++curve) net.add(random, 12, curve % 4 == 0, curve % 2);
+    net.add(random, 30, true, 0);
+    return net;
+}
+
+TEMPLATE_TEST_CASE("chains: the same bits in all lanes, levels and threads",
+                   "[rods][threads][determinism]", float, double) {
+    Random random(8);
+    const Net net = manyCurves(random);
+    const bool air = GENERATE(false, true);
+    const auto single = swept<TestType>(net, {Isa::v2, 1}, 1, air);
+    for (const Isa isa : {Isa::v2, Isa::v3, Isa::v4})
+        for (const int lanes : {1, 4, 8, 16}) {
+            if (!available({isa, lanes})) continue;
+            const auto other = swept<TestType>(net, {isa, lanes}, 1, air);
+            requireSame(single, other, 0, single.count());
+        }
+    for (const int threads : {2, 5}) {
+        const auto other = swept<TestType>(net, bestKernels(), threads, air);
+        requireSame(single, other, 0, single.count());
     }
-    for (int v = 0; v < states[0].count(); ++v) {
-        REQUIRE(isFinite(states[0].particles[v]));
-        for (const State<float>& other : states)
-            REQUIRE(std::memcmp(&other.particles[v], &states[0].particles[v],
-                                sizeof(Particle<float>)) == 0);
+}
+
+TEST_CASE("chains: a curve has the same bits alone and among others", "[rods][determinism]") {
+    Random random(9);
+    Net many;
+    std::vector<Net> alone(9);
+    for (Net& net : alone) {
+        Random twin = random;
+        net.add(random, 14, false, 1);
+        many.add(twin, 14, false, 1);
     }
+    const auto all = swept<float>(many, bestKernels(), 1, false);
+    for (int i = 0; i < 9; ++i)
+        requireSame(all, swept<float>(alone[static_cast<std::size_t>(i)], bestKernels(), 1, false),
+                    14 * i, 14 * (i + 1));
 }
 
 // [SC16]

@@ -1,4 +1,5 @@
 // Rods under forces, moments and clamps at their ends, against closed forms.
+#include "demos/study/references/heavy_rod.h"
 #include "tests/catch.h"
 #include "tests/core/rods/rod_worlds.h"
 #include "tests/report.h"

@@ -3,7 +3,7 @@
 #include "tests/random.h"
 #include "tests/report.h"
 
-#include <plait/rods/banded.h>
+#include <plait/rods/band.h>
 #include <plait/rods/bend_vector.h>
 #include <plait/rods/frame_rows.h>
 
@@ -124,21 +124,25 @@ TEST_CASE("rods: a banded system with a border against a dense one", "[rods]") {
     for (int trial = 0; trial < 200; ++trial) {
         const int n = 1 + random.below(30), border = random.below(std::min(n, 4)),
                   width = random.below(6);
-        Banded system(n, width, border);
+        const BandShape shape{n, width, border};
+        std::vector<double> memory(Band<double, -1, 1>::room(shape));
+        const Band<double, -1, 1> system(shape, {memory.data()});
         Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(n, n);
         for (int i = 0; i < n; ++i)
             for (int j = i; j < n; ++j) {
                 if (j < n - border && j - i > width) continue;
                 const double entry = i == j ? 20 : random.uniform(-1, 1);
-                system.at(i, j) = dense(i, j) = dense(j, i) = entry;
+                const bool beside = i < n - border && j >= n - border;
+                (beside ? system.across(i) : system.within(i)).put(j, entry);
+                dense(i, j) = dense(j, i) = entry;
             }
         Eigen::VectorXd b(n);
-        for (int i = 0; i < n; ++i) b(i) = random.uniform(-1, 1);
-        std::vector<double> x(b.data(), b.data() + n);
-        system.solve(x, std::vector<double>(static_cast<std::size_t>(n), 0));
+        for (int i = 0; i < n; ++i) system.side(i).put(0, b(i) = random.uniform(-1, 1));
+        for (int i = 0; i < n - border; ++i) system.eliminate(i, 0);
+        system.finish([](int) { return 0.0; });
         const Eigen::VectorXd exact = dense.ldlt().solve(b);
         for (int i = 0; i < n; ++i)
-            worst = std::max(worst, std::fabs(x[static_cast<std::size_t>(i)] - exact(i)));
+            worst = std::max(worst, std::fabs(system.side(i)[0] - exact(i)));
     }
     CHECK(report("solution", worst, 1e-14));
 }
