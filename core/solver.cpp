@@ -176,6 +176,7 @@ void Solver<Real>::beginSets(double fraction) {
 template <class Real>
 void Solver<Real>::frame() {
     const FlushDenormals flush;
+    letGo();
     checkpoint_ = state_;
     const long evaluations = evaluations_, failures = failuresSoFar();
     const auto putBack = [&] {

@@ -66,9 +66,11 @@ public:
 
 private:
     void setUp();
+    void letGo();
     void setUpState();
     void setUpPins();
     void setUpSets();
+    void setUpMethod();
     void setUpDrawers();
     void setUpChebyshev();
     void takePast();
@@ -117,7 +119,8 @@ private:
         std::vector<Vec<double>> start, from, to;
     };
 
-    std::shared_ptr<const World> world_;
+    std::shared_ptr<const World> given_, world_;  // as it was given, as it is by now
+    int released_ = 0;                            // of the world's releases
     SolverOptions options_;
     Schedule schedule_;
     Workers workers_;

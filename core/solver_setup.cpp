@@ -32,7 +32,8 @@ std::vector<ScheduledSet> scheduledSets(const World& world) {
 
 template <class Real>
 Solver<Real>::Solver(std::shared_ptr<const World> world, const SolverOptions& options)
-    : world_(std::move(world)),
+    : given_(std::move(world)),
+      world_(given_),
       options_(options),
       schedule_(scheduledSets(*world_), options.schedule),
       workers_(options.threads) {
@@ -55,18 +56,39 @@ Solver<Real>::Solver(std::shared_ptr<const World> world, const SolverOptions& op
 template <class Real>
 void Solver<Real>::setUp() {
     state_ = {};
+    world_ = given_;
+    released_ = 0;
     setUpState();
     setUpPins();
     setUpSets();
+    setUpMethod();
+    setUpDrawers();
+    setUpChebyshev();
+    takePast();
+}
+
+// All that knows what is pinned is made anew. Which releases have come follows from the time, so
+// that a run that is resumed or rewound has the same.
+template <class Real>
+void Solver<Real>::letGo() {
+    const double by = time() + h_ / 2;
+    if (given_->releasesBy(by) == released_) return;
+    released_ = given_->releasesBy(by);
+    world_ = std::make_shared<const World>(given_->releasedBy(by));
+    for (std::size_t v = 0; v < world_->mass.size(); ++v)
+        state_.particles[v].w = world_->pinned[v] ? 0 : static_cast<Real>(1 / world_->mass[v]);
+    setUpSets();
+    setUpMethod();
+}
+
+template <class Real>
+void Solver<Real>::setUpMethod() {
     std::vector<NamedSet<Real>> named;
     for (std::size_t s = 0; s < sets_.size(); ++s)
         named.push_back({world_->sets[s].options.name, world_->sets[s].contact, sets_[s].get()});
     const bool inertia = std::any_of(forces_.begin(), forces_.end(),
                                      [](const auto& force) { return force->hasInertia(); });
     whole_ = makeWholeStep(options_, named, state_, inertia);
-    setUpDrawers();
-    setUpChebyshev();
-    takePast();
 }
 
 // What nobody in the run will read is not there.

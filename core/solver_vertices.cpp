@@ -81,6 +81,7 @@ void Solver<Real>::movePins(double f) {
     for (const Pins& pins : pins_)
         for (std::size_t i = 0; i < pins.vertices.size(); ++i) {
             Particle<Real>& p = state_.particles[static_cast<std::size_t>(pins.vertices[i])];
+            if (p.w != Real(0)) continue;  // let go
             const Vec<double> target = pins.from[i] + f * (pins.to[i] - pins.from[i]);
             p.d = as<Real>(target - as<double>(p.x));
         }

@@ -77,6 +77,27 @@ void World::pin(std::vector<int> vertices, Animation animation) {
     pins.push_back({std::move(vertices), std::move(animation)});
 }
 
+void World::letGo(std::vector<int> vertices, double time) {
+    for (const int v : vertices)
+        if (v < 0 || static_cast<std::size_t>(v) >= pinned.size() || !pinned[v])
+            throw std::invalid_argument("let go: vertex " + std::to_string(v) + " is not pinned");
+    if (std::isnan(time)) throw std::invalid_argument("let go: at no time");
+    releases.push_back({std::move(vertices), time});
+}
+
+int World::releasesBy(double time) const {
+    return static_cast<int>(
+        std::ranges::count_if(releases, [&](const Release& r) { return r.time <= time; }));
+}
+
+World World::releasedBy(double time) const {
+    World free = *this;
+    for (const Release& release : releases)
+        for (const int v : release.vertices)
+            if (release.time <= time) free.pinned[v] = 0;
+    return free;
+}
+
 std::vector<int> World::select(Range range,
                                const std::function<bool(const Vec<double>&)>& where) const {
     std::vector<int> chosen;

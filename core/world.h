@@ -80,12 +80,17 @@ struct World {
         std::vector<int> vertices;
         Animation animation;  // none: they stay
     };
+    struct Release {
+        std::vector<int> vertices;
+        double time;  // s
+    };
     struct Set {
         SetOptions options;
         bool contact;
         Recipe<Constraint> recipe;
     };
     std::vector<Pins> pins;
+    std::vector<Release> releases;
     std::vector<Set> sets;
     std::vector<Recipe<Force>> forces;
     double gravity = 0;  // m/s^2, the strongest that acts: how fast what rests comes to approach
@@ -101,6 +106,13 @@ struct World {
     // Throws std::invalid_argument for a vertex that is not there.
     void pin(std::vector<int> vertices, Motion motion = {});
     void pin(std::vector<int> vertices, Animation animation);
+    // These are pinned no more from the first frame on that begins at `time` (s) or later: they go
+    // on as they went. Throws std::invalid_argument for a vertex that is not pinned and for a time
+    // that is no number.
+    void letGo(std::vector<int> vertices, double time);
+    // How many releases have come by `time`, and the world with these.
+    int releasesBy(double time) const;
+    World releasedBy(double time) const;
     // The vertices of `range` whose start satisfies `where`.
     std::vector<int> select(Range range,
                             const std::function<bool(const Vec<double>&)>& where) const;
