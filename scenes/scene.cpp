@@ -3,6 +3,7 @@
 #include "basics/basics.h"
 #include "dress.h"
 #include "flag.h"
+#include "slinky/slinky.h"
 
 #include <stdexcept>
 
@@ -197,6 +198,14 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                     .low = 1,
                     .high = 100}},
          .build = layeredSheets},
+        {.name = "levitation",
+         .title = "Slinky that hangs in the air",
+         .lesson = "What holds a thing up is told of a letting go no sooner than by a wave: the "
+                   "last turn hangs until the others have reached it",
+         .ingredients = {"stretch", "bend", "twist", "contact", "gravity"},
+         .omissions = {"air: a fall of half a second", "pre-tension: its turns just touch"},
+         .demo = true,
+         .build = levitation},
         {.name = "medley",
          .title = "Medley",
          .lesson =

@@ -23,6 +23,7 @@ struct Scene {
     double lead = 0;  // s that pass before the first frame: what falls, settles
     View view;
     std::vector<Metric> metrics;
+    std::vector<std::string> facts = {};  // what closed forms say of it: lines of `describe`
 };
 
 struct SceneEntry {

@@ -95,6 +95,14 @@ struct Stage {
     std::array<double, 3> floor{0.254, 0.216, 0.188};  // linear
 };
 
+// A part of a film.
+struct Take {
+    double from = 0, to = 0;           // s of the run
+    double slow = 1;                   // times slower than it was
+    std::string words = "";            // a line above
+    std::vector<Camera> cameras = {};  // none: the view's
+};
+
 struct View {
     std::vector<Camera> cameras;  // poses in time; between them the path is smooth
     Follow follow;                // moves glow and spot as well
@@ -107,6 +115,9 @@ struct View {
     Vec<double> glowCenter{0, 0, 0};
     double glow = 0.3;
     Stage stage;
+    // Of the film, in their order, at 24 pictures a second; a take may show again what one before
+    // it did. None: the run as it is.
+    std::vector<Take> takes;
 };
 
 }  // namespace plait

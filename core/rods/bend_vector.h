@@ -36,14 +36,13 @@ struct BendVector {
         const T psi = T(2) * arctangent2(chord, sum);
         const auto bent = chord > T(1e-12);
         // psi u = f (tb - ta); along u it changes by 1 / cos(psi/2) of what the chord does.
-        const T inverseChord = divide(T(1), chord);
-        const T f = select(bent, psi * inverseChord, T(1));
+        const T f = select(bent, divide(psi, chord), T(1));
         const T steeper = divide(T(2), sum) - f;
-        const Vec<T> u = inverseChord * turn;
+        const Vec<T> u = divide(T(1), chord) * turn;
 
         Stencil<Vec<T>, values> axis;
         const Vec<T> a0 = before[1] - before[0], b0 = before[2] - before[1];
-        axesAcross(length(b0) * a0 + length(a0) * b0, axis);
+        axesAcross(divide(T(1), length(a0)) * a0 + divide(T(1), length(b0)) * b0, axis);
         Values<T> c;
         for (int k = 0; k < values; ++k) {
             c[k] = f * dot(axis[k], turn);
@@ -61,15 +60,19 @@ struct BendVector {
     }
 
 private:
-    // Two axes across `along` and each other (Duff et al., "Building an orthonormal basis,
-    // revisited", 2017).
+    // Two axes across `along` and each other.
     template <class T>
     static void axesAcross(const Vec<T>& along, Stencil<Vec<T>, values>& axis) {
         const Vec<T> t = divide(T(1), length(along)) * along;
-        const T sign = select(t.z < T(0), T(-1), T(1)), a = -sign * divide(T(1), T(1) + sign * t.z),
-                b = t.x * t.y * a;
-        axis[0] = {T(1) + sign * t.x * t.x * a, sign * b, -sign * t.x};
-        axis[1] = {b, sign + t.y * t.y * a, -t.y};
+        const T x = t.x * t.x, y = t.y * t.y, z = t.z * t.z;
+        const auto flatX = x < y;
+        const auto flatZ = z < select(flatX, x, y);
+        const Vec<T> pick{select(flatZ, T(0), select(flatX, T(1), T(0))),
+                          select(flatZ, T(0), select(flatX, T(0), T(1))),
+                          select(flatZ, T(1), T(0))};
+        const Vec<T> side = cross(t, pick);
+        axis[0] = divide(T(1), length(side)) * side;
+        axis[1] = cross(t, axis[0]);
     }
 };
 

@@ -40,6 +40,8 @@ int describe(const Arguments& arguments) {
     print("Ingredients", entry.ingredients);
     print("Left out, and why", entry.omissions);
 
+    if (!run.scene.facts.empty()) print("By closed forms", run.scene.facts);
+
     std::vector<std::string> knobs, metrics, settings;
     for (const Knob& knob : entry.knobs) knobs.push_back(describe(knob));
     print("Knobs: default, range (--set NAME=VALUE)", knobs);

@@ -4,6 +4,7 @@
 #include "demos/tools/interrupt.h"
 #include "demos/tools/pipe.h"
 #include "demos/tools/words.h"
+#include "film.h"
 #include "overlays.h"
 #include "render/pictures/caption.h"
 #include "render/pictures/contact_sheet.h"
@@ -94,13 +95,17 @@ std::string numbersOf(const Run& run, const RunFrame& frame) {
 
 struct Pictures::Work {
     struct Drawn {
+        int number;  // of the film
         RunFrame frame;
         Picture picture;
         bool fresh;  // not read from a file
     };
 
     Work(const Run& r, const RunFolder& f, const PictureOptions& o)
-        : run(r), folder(f), options(o), overlays(r, o.overlay) {
+        : run(r), folder(f), options(o), film(r, o.first, o.last), overlays(r, o.overlay) {
+        if (film.size() == 0)
+            throw FileError(run.entry->name +
+                            " cannot be filmed: its film shows none of the frames");
         prepareFolder();
         try {
             encoder = std::jthread([this] { guarded([this] { encode(); }); });
@@ -128,6 +133,7 @@ struct Pictures::Work {
 
     void draw();
     void encode();
+    Picture drawn(Renderer& lens, int number, const RunFrame& frame, const RunFrame* before) const;
     Picture finished(const Drawn& drawn) const;
 
     // What a stage throws ends both, and is thrown again where frames come from.
@@ -179,6 +185,7 @@ struct Pictures::Work {
     const Run& run;
     const RunFolder& folder;
     PictureOptions options;
+    Film film;
     Overlays overlays;
     Pipe<RunFrame> frames{queueLength};
     Pipe<Drawn> pictures{queueLength};
@@ -203,74 +210,82 @@ void Pictures::Work::draw() {
         library = lens.context().library();
         renderer = lens.context().renderer();
     }
+    std::optional<RunFrame> before;  // where pictures are exposed to what lies between
+    while (std::optional<RunFrame> frame = frames.pop()) {
+        for (const int number : film.showing(frame->number)) {
+            const auto begin = std::chrono::steady_clock::now();
+            const fs::path path = folder.picturePath(number);
+            const bool fresh = !(options.keep && fs::exists(path));
+            Picture picture;
+            if (fresh)
+                picture = drawn(lens, number, *frame, before ? &*before : nullptr);
+            else if (!film.isCut())
+                picture = readPng(path);
+            note(drawing, begin);
+            if (!pictures.push({number, *frame, std::move(picture), fresh})) return;
+        }
+        if (options.subframes > 1) before = std::move(*frame);
+    }
+    pictures.close();
+}
+
+Picture Pictures::Work::drawn(Renderer& lens, int number, const RunFrame& frame,
+                              const RunFrame* before) const {
     std::optional<CameraPose> pose;
+    const Take* take = film.picture(number).take;
     if (const auto& c = options.camera) {
         const auto vec = [](const Vec<double>& v) { return glm::vec3(glm::dvec3(v.x, v.y, v.z)); };
         pose = CameraPose{vec(c->eye), vec(c->target),
                           static_cast<float>(2 * std::atan(10.125 / c->focalLength))};
+    } else if (take && !take->cameras.empty()) {
+        pose = poseAt(take->cameras, frame.time);
     }
-    std::optional<RunFrame>
-        before;  // the last frame, where pictures are exposed to what lies between
-    while (std::optional<RunFrame> frame = frames.pop()) {
-        if (frame->number < options.first) {
-            before = std::move(*frame);
-            continue;
-        }
-        const auto begin = std::chrono::steady_clock::now();
-        const fs::path path = folder.picturePath(frame->number);
-        Drawn drawn{.frame = {}, .picture = {}, .fresh = !(options.keep && fs::exists(path))};
-        if (drawn.fresh) {
-            const Overlay overlay = overlays.of(*frame);
-            const Overlay* const colors = overlays.none() ? nullptr : &overlay;
-            const CameraPose* const chosen = pose ? &*pose : nullptr;
-            drawn.picture =
-                before ? lens.draw(Exposure(*before, *frame, options.subframes).all, colors, chosen)
-                       : lens.draw(frame->positions, frame->time, colors, chosen);
-        } else {
-            drawn.picture = readPng(path);
-        }
-        if (options.subframes > 1) before = *frame;
-        drawn.frame = std::move(*frame);
-        note(drawing, begin);
-        if (!pictures.push(std::move(drawn))) return;
-    }
-    pictures.close();
+    const Overlay overlay = overlays.of(frame);
+    const Overlay* const colors = overlays.none() ? nullptr : &overlay;
+    const CameraPose* const chosen = pose ? &*pose : nullptr;
+    return before ? lens.draw(Exposure(*before, frame, options.subframes).all, colors, chosen)
+                  : lens.draw(frame.positions, frame.time, colors, chosen);
 }
 
 Picture Pictures::Work::finished(const Drawn& drawn) const {
     Picture picture = drawn.picture;
     if (!overlays.none()) drawLegend(picture, overlays.legend());
-    if (options.caption) {
-        const double shown = (drawn.frame.number - options.first + 1) / run.frameRate();
-        drawCaption(picture, {.title = run.entry->title,
-                              .numbers = numbersOf(run, drawn.frame),
-                              .fade = std::min(1.0, shown / 0.3)});
-    }
+    if (!options.caption) return picture;
+    const FrameRate rate = film.rate();
+    const double shown = double(drawn.number - film.first() + 1) * rate.seconds / rate.frames;
+    drawCaption(picture, {.title = run.entry->title,
+                          .numbers = numbersOf(run, drawn.frame),
+                          .fade = std::min(1.0, shown / 0.3)});
+    if (const Take* take = film.picture(drawn.number).take) drawHeadline(picture, take->words);
     return picture;
 }
 
 void Pictures::Work::encode() {
-    const FrameRate rate = run.scene.options.schedule.frameRate;
     const auto writer = [&](const char* name) {
         return std::make_unique<VideoWriter>(folder.path() / name, options.width, options.height,
-                                             FrameRate{rate.frames, rate.seconds});
+                                             film.rate());
     };
     std::vector<std::unique_ptr<VideoWriter>> videos;
     videos.push_back(writer("clip.mp4"));
     if (options.webp) videos.push_back(writer("clip.webp"));
-    const std::vector<int> chosen = sheetFrames(options.last - options.first + 1);
+    const std::vector<int> chosen = sheetFrames(film.size());
     std::vector<SheetFrame> sheet;
+    const auto take = [&](int number, Picture picture) {
+        for (const auto& video : videos) video->add(picture);
+        if (std::ranges::find(chosen, number - film.first()) != chosen.end())
+            sheet.push_back({std::move(picture), film.picture(number).frame / run.frameRate()});
+    };
     while (std::optional<Drawn> drawn = pictures.pop()) {
         const auto begin = std::chrono::steady_clock::now();
-        const int number = drawn->frame.number;
         if (drawn->fresh) drawn->picture = finished(*drawn);
-        if (drawn->fresh) writePng(folder.picturePath(number), drawn->picture);
-        for (const auto& video : videos) video->add(drawn->picture);
-        if (std::find(chosen.begin(), chosen.end(), number - options.first) != chosen.end())
-            sheet.push_back({std::move(drawn->picture), drawn->frame.time});
+        if (drawn->fresh) writePng(folder.picturePath(drawn->number), drawn->picture);
+        if (!film.isCut()) take(drawn->number, std::move(drawn->picture));
         note(encoding, begin);
-        done = number;
+        done = drawn->frame.number;
     }
+    // A take may show again what an earlier one did.
+    for (int i = 0; film.isCut() && !stopped && i < film.size(); ++i)
+        take(film.first() + i, readPng(folder.picturePath(film.first() + i)));
     if (stopped) return;
     for (const auto& video : videos) video->finish();
     writePng(folder.path() / "contact.png", contactSheet(sheet, run.entry->title));
@@ -287,6 +302,7 @@ void Pictures::add(RunFrame frame) {
     const PictureOptions& options = work_->options;
     const int needed = options.first - (options.subframes > 1 ? 1 : 0);
     if (frame.number < needed || frame.number > options.last) return;
+    if (options.subframes == 1 && work_->film.showing(frame.number).empty()) return;
     if (!work_->frames.push(std::move(frame), stopIfInterrupted)) work_->rethrow();
 }
 

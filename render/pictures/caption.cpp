@@ -68,4 +68,12 @@ void drawCaption(Picture& picture, const Caption& caption) {
     }
 }
 
+void drawHeadline(Picture& picture, const std::string& words) {
+    const double unit = unitOf(picture), margin = 40 * unit;
+    TextStyle style{Weight::semibold, 32 * unit, ivory};
+    style.size *=
+        std::min(1.0, (picture.width - 2 * margin) / std::max(1.0, textWidth(words, style)));
+    drawText(picture, margin, margin + capHeight(style), words, style);
+}
+
 }  // namespace plait

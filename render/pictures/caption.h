@@ -17,4 +17,7 @@ struct Caption {
 // long for the width is set smaller; where that would be much, the numbers go below the title.
 void drawCaption(Picture& picture, const Caption& caption);
 
+// A line above, at the left; nothing where there are no words.
+void drawHeadline(Picture& picture, const std::string& words);
+
 }  // namespace plait

@@ -35,6 +35,7 @@ inline const std::vector<GoldenScene> goldenScenes{
     {"flag", 40},
     {"hanging-sheet", 79},
     {"layered-sheets", 10},
+    {"levitation", 108},
     {"medley", 30},
     {"pendulum", 18},
     {"sheet-on-sphere", 30},

@@ -91,29 +91,39 @@ TEST_CASE("loads: a rod with a weight at its end", "[rods]") {
         }
 }
 
-// M L / B = 2 pi. Hinge by hinge, so that the last link lies on the first: exact on any mesh.
-TEST_CASE("loads: a moment bends a rod to a circle", "[rods]") {
+// Hinge by hinge M l / B, so that the polygon is exact on any mesh. A moment about an axis that
+// stays is no conservative load (Ziegler), and in space the arc flutters: a guide keeps it in its
+// plane.
+TEST_CASE("loads: a moment bends a rod to an arc of a circle", "[rods]") {
     constexpr int links = 33;
     constexpr double l = 1 / (links - 0.5);
-    World world;
-    const Rod rod = addClamped(world, links, nylon);
-    // Light ends would be spun too far in a substep.
-    for (const int v : {rod.points.last - 2, rod.points.last - 1}) world.mass[v] = 0.05;  // kg
-    const double moment = nylon.bending() / l * 2 * pi / (links - 1);
-    world.act<Load>(LoadOptions{
-        rod.points.last - 2, [moment](const Vec<double>& a, const Vec<double>& b, double t) {
-            const Vec<double> edge = b - a;
-            const Vec<double> force =
-                (moment * std::min(t / 8, 1.0) / dot(edge, edge)) * Vec<double>{-edge.y, edge.x, 0};
-            return std::array{-force, force};
+    {
+        constexpr double whole = 2 * pi;
+        World world;
+        const Rod rod = addClamped(world, links, nylon);
+        // Light ends would be spun too far in a substep.
+        for (const int v : {rod.points.last - 2, rod.points.last - 1}) world.mass[v] = 0.05;  // kg
+        const double turn = whole / (links - 1), moment = nylon.bending() / l * turn;
+        world.act<Load>(LoadOptions{
+            rod.points.last - 2, [moment](const Vec<double>& a, const Vec<double>& b, double t) {
+                const Vec<double> edge = b - a;
+                const Vec<double> force = (moment * std::min(t / 8, 1.0) / dot(edge, edge)) *
+                                          Vec<double>{-edge.y, edge.x, 0};
+                return std::array{-force, force};
+            }});
+        world.act<Field>(FieldOptions{.acceleration = [](const Vec<double>& x, double) {
+            return Vec<double>{0, 0, -1e4 * x.z};
         }});
-    Solver<float> solver(world, stepping(50, 4));
-    for (int frame = 0; frame < 24 * 20; ++frame) solver.frame();
-    const auto x = solver.positions();
-    const double begins = length(x[rod.points.last - 2] - x[rod.points.first]),
-                 ends = length(x[rod.points.last - 1] - x[rod.points.first + 1]);
-    CHECK(report("last link off the first, m", std::max(begins, ends), 1e-4));
-    CHECK(report("speed, m/s", fastest(solver), 1e-5));
+        Solver<float> solver(world, stepping(50, 4));
+        for (int frame = 0; frame < 24 * 20; ++frame) solver.frame();
+        Vec<double> tip{-l / 2, 0, 0};
+        for (int e = 0; e < links; ++e)
+            tip += l * Vec<double>{std::cos(e * turn), std::sin(e * turn), 0};
+        const std::string name = "arc of " + std::to_string(whole) + " rad";
+        CHECK(report(name + ", tip off, m", length(solver.positions()[rod.points.last - 1] - tip),
+                     1e-4));
+        CHECK(report(name + ", speed, m/s", fastest(solver), 1e-5));
+    }
 }
 
 // Pushed together by a tenth of its length, a rod between clamps is an elastica: of the modulus p

@@ -1,0 +1,148 @@
+// Hung and let go: its last turn does not know that it falls until the others have reached it.
+#include "../parts/measures.h"
+#include "../parts/views.h"
+#include "slinky.h"
+
+#include <plait/contacts/surface.h>
+#include <plait/forces/gravity.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plait {
+namespace {
+
+constexpr double letGoAt = 0.25, seconds = 0.75;
+
+// Mean height of the vertices of the rod by mass, m.
+double middleOf(const std::vector<double>& mass, const Rod& rod,
+                const std::vector<Vec<double>>& positions) {
+    double moment = 0, sum = 0;
+    for (int v = rod.points.first; v < rod.directors.last; ++v) {
+        moment += mass[v] * positions[v].y;
+        sum += mass[v];
+    }
+    return moment / sum;
+}
+
+double lastTurnOf(const Slinky& slinky, const Rod& rod, const std::vector<Vec<double>>& positions) {
+    double sum = 0;
+    for (int i = 0; i < slinky.links; ++i) sum += positions[rod.points.first + i].y;
+    return sum / slinky.links;
+}
+
+// Until the last turn moves, the middle of all comes nearer to it as a stone falls; then all has
+// met, and they come no nearer. So the time that their distance tells stops.
+Metric clockOf(const World& world, const Slinky& slinky, const Rod& rod, const Band& band) {
+    const double apart =
+        middleOf(world.mass, rod, world.start) - lastTurnOf(slinky, rod, world.start);
+    return {.name = "last turn hangs",
+            .unit = "s",
+            .measure =
+                [=, mass = world.mass](const Snapshot& at) {
+                    const double now =
+                        middleOf(mass, rod, at.positions) - lastTurnOf(slinky, rod, at.positions);
+                    return std::sqrt(std::max(0.0, apart - now) * 2 / 9.81);
+                },
+            .low = band.low,
+            .high = band.high,
+            .from = band.from,
+            .caption = true};
+}
+
+// In % of the extension, until it is reached.
+Metric lastTurnMoves(const World& world, const Slinky& slinky, const Rod& rod, const Band& band) {
+    return {.name = "last turn moves",
+            .unit = "%",
+            .measure =
+                [=, before = lastTurnOf(slinky, rod, world.start)](const Snapshot& at) {
+                    if (at.time > letGoAt + 0.97 * slinky.collapse()) return 0.0;
+                    return 100 * std::fabs(lastTurnOf(slinky, rod, at.positions) - before) /
+                           slinky.extension();
+                },
+            .low = band.low,
+            .high = band.high};
+}
+
+// In mm: how far the middle of all is from the mark that fell beside it.
+Metric besideMark(const World& world, const Rod& rod, int mark, const Band& band) {
+    return {.name = "middle off the mark",
+            .unit = "mm",
+            .measure =
+                [=, mass = world.mass](const Snapshot& at) {
+                    return 1000 *
+                           std::fabs(middleOf(mass, rod, at.positions) - at.positions[mark].y);
+                },
+            .low = band.low,
+            .high = band.high};
+}
+
+// Brass, a long line each 0.5 m and a short one each 0.1 m, from 0 down.
+void addRuler(View& view, double x, double length) {
+    for (int i = 0; 0.1 * i < length + 0.05; ++i)
+        addBar(view, {x, -0.1 * i, 0}, {x - (i % 5 ? 0.025 : 0.06), -0.1 * i, 0},
+               i % 5 ? 0.0015 : 0.0025, Material::brass);
+    addBar(view, {x, 0.02, 0}, {x, -length - 0.02, 0}, 0.003, Material::brass);
+}
+
+}  // namespace
+
+Scene levitation(const Knobs&) {
+    const Slinky slinky;
+    Scene scene;
+    World& world = scene.world;
+    const double closed = slinky.turns * slinky.wire.across;
+    const Rod rod = addSlinky(world, slinky, {0, -closed, 0});
+    world.pin(upperTurns(slinky, rod, 1));
+    world.act<Gravity>(GravityOptions{});
+    hang(world, slinky, rod);
+    const Range mark =
+        world.add({SimplicialComplex(1), {{0.075, middleOf(world.mass, rod, world.start), 0}}},
+                  {.density = 0.01});
+    world.pin({mark.first});
+    // Turns that meet stay together: no restitution.
+    meet(world, {{.vertices = rod.points, .thickness = 0.499 * slinky.wire.across}});
+    std::vector<int> held = upperTurns(slinky, rod, 1);
+    held.push_back(mark.first);
+    world.letGo(held, letGoAt);
+
+    // Frames that a film can show ten times slower than they were.
+    scene.options.schedule = {.substeps = 5, .frameRate = {240, 1}, .iterations = 1};
+    scene.options.sweeps = Sweeps::oneWay;
+    scene.seconds = seconds;
+    scene.metrics = {
+        clockOf(world, slinky, rod, {0, 1.03 * slinky.collapse()}),
+        lastTurnMoves(world, slinky, rod, {0, 0.5}), besideMark(world, rod, mark.first, {0, 1}),
+        greatestStrain(world, rod.points, {0, std::numeric_limits<double>::infinity()}),
+        contactFailures()};
+    scene.facts = factsOf(slinky);
+
+    View& view = scene.view;
+    view.looks = {lookOf(slinky, rod),
+                  {.object = mark,
+                   .material = Material::brass,
+                   .color = {0.584, 0.305, 0.050},
+                   .radius = 0.014}};
+    const auto camera = [](double middle, double height) {
+        const double away = height * 50 / 20.25;
+        return Camera{.eye = {0.12, middle + 0.06 * away, away}, .target = {0.12, middle, 0}};
+    };
+    view.cameras = {camera(-0.93, 2.15)};
+    view.ground = false;
+    view.glowCenter = {0, -0.6, -1};
+    view.glow = 0.12;
+    addRuler(view, -0.09, 1.7);
+    addBar(view, {-0.045, 0.012, 0}, {0.045, 0.012, 0}, 0.008, Material::steel);
+    const std::string which = "Which end falls first?";
+    view.takes = {{.from = 0, .to = letGoAt, .slow = 10, .words = which},
+                  {.from = letGoAt, .to = letGoAt + 0.5},
+                  {.from = letGoAt - 0.05,
+                   .to = letGoAt + 0.36,
+                   .slow = 10,
+                   .words = "10 times slower",
+                   .cameras = {camera(-1.3, 1.2)}}};
+    return scene;
+}
+
+}  // namespace plait

@@ -1,0 +1,160 @@
+#include "slinky.h"
+
+#include <plait/complex/shapes.h>
+#include <plait/constraints/constants.h>
+#include <plait/numbers/arctangent.h>
+#include <plait/numbers/elementary.h>
+#include <plait/solver.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace plait {
+namespace {
+
+constexpr double g = 9.81;  // m/s^2
+
+double around(const Slinky& slinky) { return 2 * pi * slinky.radius; }
+
+double levelPitch(const Slinky& slinky) { return arctangent2(slinky.wire.across, around(slinky)); }
+
+// A helix that hangs by a force along its axis.
+struct Hung {
+    double pitch;   // rad
+    double radius;  // m
+};
+
+// Balance of twist and bending in a cross-section: C (sin a cos a / r - t0) = F r cos a and
+// B (cos^2 a / r - k0) = -F r sin a (Love, "Mathematical theory of elasticity", on helical
+// springs), by Newton's method from `at`.
+Hung hungBy(const Slinky& slinky, double force, Hung at) {
+    const double level = levelPitch(slinky);
+    const double r0 = slinky.radius, bending = slinky.wire.bendingSide();
+    // A coil of straight links is stiffer (tests/core/rods): by 2 % at 24 a turn.
+    const double twisting =
+        slinky.wire.twisting() * (1 + 7 * pi * pi / (6.0 * slinky.links * slinky.links));
+    for (int round = 0; round < 20; ++round) {
+        const double s = sine(at.pitch), c = cosine(at.pitch), r = at.radius;
+        const double twist =
+            twisting * (s * c / r - sine(level) * cosine(level) / r0) - force * r * c;
+        const double bend =
+            bending * (c * c / r - cosine(level) * cosine(level) / r0) + force * r * s;
+        const double a = twisting * (c * c - s * s) / r + force * r * s,
+                     b = -twisting * s * c / (r * r) - force * c,
+                     d = -2 * bending * s * c / r + force * r * c,
+                     e = -bending * c * c / (r * r) + force * s;
+        at.pitch -= (twist * e - b * bend) / (a * e - b * d);
+        at.radius -= (a * bend - d * twist) / (a * e - b * d);
+    }
+    return at;
+}
+
+}  // namespace
+
+double Slinky::mass() const {
+    const double turn = std::sqrt(around(*this) * around(*this) + wire.across * wire.across);
+    return wire.density * wire.area() * turn * turns;
+}
+
+double Slinky::stiffness() const {
+    return wire.twisting() / (2 * pi * turns * radius * radius * radius);
+}
+
+double Slinky::period() const { return 4 * std::sqrt(mass() / stiffness()); }
+
+double Slinky::extension() const {
+    const double free = 1 - 1.0 / turns;
+    return 0.968 * free * free * mass() * g / (2 * stiffness());
+}
+
+double Slinky::collapse() const { return std::sqrt(mass() / (3 * stiffness())); }
+
+std::vector<std::string> factsOf(const Slinky& slinky) {
+    const auto line = [](const char* name, const char* format, double value) {
+        char words[80];
+        std::snprintf(words, sizeof words, format, value);
+        return std::string(name) + words;
+    };
+    const double closed = slinky.turns * slinky.wire.across;
+    return {line("mass                 ", "%.1f g", 1000 * slinky.mass()),
+            line("stiffness            ", "%.3f N/m", slinky.stiffness()),
+            line("slowest swing, hung  ", "%.2f s", slinky.period()),
+            line("length, closed       ", "%.1f mm", 1000 * closed),
+            line("length, hung         ", "%.2f m", closed + slinky.extension()),
+            line("its last turn hangs  ", "%.3f s once it is let go", slinky.collapse())};
+}
+
+Rod addSlinky(World& world, const Slinky& slinky, const Vec<double>& foot) {
+    const int edges = slinky.turns * slinky.links;
+    const Shape curve = helix({.links = edges,
+                               .radius = slinky.radius,
+                               .turns = static_cast<double>(slinky.turns),
+                               .pitch = slinky.wire.across},
+                              {.origin = foot});
+    std::vector<Vec<double>> outward;
+    for (int e = 0; e < edges; ++e) {
+        const auto i = static_cast<std::size_t>(e);
+        const Vec<double> middle = 0.5 * (curve.positions[i] + curve.positions[i + 1]) - foot;
+        outward.push_back({middle.x, 0, middle.z});
+    }
+    return addRod(world, curve, {.wire = slinky.wire, .toward = outward}, {.name = "wire"});
+}
+
+std::vector<int> upperTurns(const Slinky& slinky, const Rod& rod, int turns) {
+    std::vector<int> vertices;
+    for (int i = 0; i <= turns * slinky.links; ++i) vertices.push_back(rod.points.last - 1 - i);
+    for (int i = 0; i < turns * slinky.links; ++i) vertices.push_back(rod.directors.last - 1 - i);
+    return vertices;
+}
+
+// From a helix that knows its own angle, 0.5 % off since the turn that holds it is level, to rest.
+void hang(World& world, const Slinky& slinky, const Rod& rod) {
+    int e = 0;
+    while (!world.pinned[rod.points.first + e]) ++e;
+    const double l = length(world.rest[1] - world.rest[0]),
+                 weight = slinky.wire.density * slinky.wire.area() * l * g;
+    std::vector<Hung> links{{levelPitch(slinky), slinky.radius}};
+    for (int i = 0; i < e; ++i) links.push_back(hungBy(slinky, (i + 0.5) * weight, links.back()));
+
+    std::vector<Vec<double>>& x = world.start;
+    const Vec<double> held = x[rod.points.first + e];
+    const Vec<double> axis = x[rod.points.last - 1] - Vec<double>{slinky.radius, 0, 0};
+    // Of the polygon, whose last vertex is where the first one is, turn by turn.
+    double angle = -2 * pi * (e % slinky.links) / slinky.links, y = held.y;
+    for (int i = e - 1; i >= 0; --i) {
+        const auto& [pitch, radius] = links[i + 1];
+        y -= l * sine(pitch);
+        const double half = l * cosine(pitch) / 2;
+        angle += 2 * arctangent2(half, std::sqrt(radius * radius - half * half));
+        x[rod.points.first + i] =
+            Vec<double>{axis.x + radius * cosine(angle), y, axis.z + radius * sine(angle)};
+    }
+    for (int i = 0; i < e; ++i) {
+        Vec<double>& director = x[rod.directors.first + i];
+        const Vec<double>&from = x[rod.points.first + i], &to = x[rod.points.first + i + 1];
+        const Vec<double> middle = 0.5 * (from + to), along = (1 / l) * (to - from);
+        const double arm =
+            length(world.rest[rod.directors.first + i] -
+                   0.5 * (world.rest[rod.points.first + i] + world.rest[rod.points.first + i + 1]));
+        Vec<double> out = Vec<double>{middle.x - axis.x, 0, middle.z - axis.z};
+        out -= dot(out, along) * along;
+        director = middle + (arm / length(out)) * out;
+    }
+
+    SolverOptions options{.sweeps = Sweeps::oneWay, .schedule = {.substeps = 12, .iterations = 1}};
+    options.damping = 0.2;
+    Solver<double> solver(world, options);
+    for (int frame = 0; frame < 40; ++frame) solver.frame();
+    world.start = solver.positions();
+}
+
+Look lookOf(const Slinky& slinky, const Rod& rod) {
+    return {.object = rod.points,
+            .material = Material::brushed,
+            .color = {0.46, 0.49, 0.52},
+            .section = {.along = slinky.wire.along, .across = slinky.wire.across},
+            .directors = rod.directors};
+}
+
+}  // namespace plait

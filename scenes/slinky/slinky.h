@@ -1,0 +1,50 @@
+// The toy of two demos: a flat wire of steel, wound turn on turn. The wire is all that is put in.
+#pragma once
+
+#include "../scene.h"
+
+#include <plait/rods/rod.h>
+#include <plait/world.h>
+
+#include <string>
+#include <vector>
+
+namespace plait {
+
+struct Slinky {
+    Wire wire{.poisson = 0.27, .along = 2.5e-3, .across = 0.62e-3};
+    double radius = 0.034;  // m, of the helix
+    int turns = 86;
+    int links = 24;  // of a turn
+
+    // Closed forms of a close-wound coil, all of whose turns are free (Wahl, "Mechanical springs").
+    double mass() const;       // kg
+    double stiffness() const;  // N/m
+    double period() const;     // s, of the slowest swing up and down, hung
+    // m, hung by its first turn: 0.968 of m g / 2 k of the others, since turns that are drawn apart
+    // are no longer level (validation A7).
+    double extension() const;
+    // s from letting go until the last turn moves, turns that meet staying together (Calkin,
+    // "Motion of a falling spring", 1993).
+    double collapse() const;
+};
+
+// What `describe` says of it.
+std::vector<std::string> factsOf(const Slinky& slinky);
+
+// Closed, from y = 0 up, around the upright through `foot`. Names its set "wire".
+Rod addSlinky(World& world, const Slinky& slinky, const Vec<double>& foot);
+
+// The points and directors of so many turns from the upper end.
+std::vector<int> upperTurns(const Slinky& slinky, const Rod& rod, int turns);
+
+// Starts it as it hangs by what is pinned of its upper end. It takes a second, so that whatever is
+// let go in that time must be told of later.
+void hang(World& world, const Slinky& slinky, const Rod& rod);
+
+Scene levitation(const Knobs& knobs);
+
+// Bare steel, brushed along the wire.
+Look lookOf(const Slinky& slinky, const Rod& rod);
+
+}  // namespace plait

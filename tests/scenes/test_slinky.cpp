@@ -1,0 +1,45 @@
+// The slinky against what its wire says (validation A7).
+#include "scenes/slinky/slinky.h"
+#include "tests/catch.h"
+#include "tests/report.h"
+
+#include <plait/solver.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace plait;
+using namespace plait::test;
+
+// 86 turns, 68 mm, 2.5 x 0.62 mm of steel: as others have weighed and timed it.
+TEST_CASE("slinky: its wire alone says what it weighs and how it swings [FX4]", "[rods]") {
+    const Slinky slinky;
+    CHECK(report("mass off 223.5 g", std::fabs(slinky.mass() / 0.2235 - 1), 2e-3));
+    CHECK(report("stiffness off 0.621 N/m", std::fabs(slinky.stiffness() / 0.621 - 1), 5e-3));
+    CHECK(report("period off 2.40 s", std::fabs(slinky.period() / 2.40 - 1), 5e-3));
+    CHECK(report("collapse off T0 / 4 sqrt(3)",
+                 std::fabs(slinky.collapse() / slinky.period() * 4 * std::sqrt(3.0) - 1), 1e-12));
+}
+
+TEST_CASE("slinky: hung, let go, its last turn hangs in the air [FX4]", "[rods]") {
+    const Scene scene = build(findScene("levitation"));
+    const Slinky slinky;
+    const double extension = -scene.world.start[0].y - slinky.turns * slinky.wire.across;
+    note("extension, m", extension);
+    CHECK(report("extension off 0.968 m g / 2 k", std::fabs(extension / slinky.extension() - 1),
+                 0.025));
+
+    Solver<float> solver(scene.world, scene.options);
+    std::vector<double> most(scene.metrics.size());
+    for (int frame = 1; frame <= 150; ++frame) {
+        solver.frame();
+        const auto x = solver.positions(), v = solver.velocities();
+        const Snapshot at{x, v, solver.time(), frame, solver.failures()};
+        for (std::size_t i = 0; i < most.size(); ++i)
+            most[i] = std::max(most[i], scene.metrics[i].measure(at));
+    }
+    CHECK(report("it hangs off sqrt(m / 3 k)", std::fabs(most[0] / slinky.collapse() - 1), 0.03));
+    CHECK(report("last turn moves until then, % of the extension", most[1], 0.5));
+    CHECK(report("middle of all off a stone that falls beside it, mm", most[2], 1));
+    CHECK(report("what contacts did not hold", most[4], 0));
+}
