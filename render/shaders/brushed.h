@@ -20,7 +20,8 @@ vec3 mirroredLight(vec3 v, vec3 normal, vec3 t, float key) {
 }
 )glsl";
 
-// Follows surfaceShader. On a thin wire, without relief (cloth.x), a highlight becomes a band where the tangent alone decides (Kajiya and Kay 1989).
+// Follows surfaceShader. On a thin wire, without relief (cloth.x), a highlight becomes a band where
+// the tangent alone decides (Kajiya and Kay 1989).
 inline constexpr const char* brushedShader = R"glsl(
 uniform vec4 finish;
 centroid in vec3 vertexMirrored;
