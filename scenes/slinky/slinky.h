@@ -43,6 +43,7 @@ std::vector<int> upperTurns(const Slinky& slinky, const Rod& rod, int turns);
 void hang(World& world, const Slinky& slinky, const Rod& rod);
 
 Scene levitation(const Knobs& knobs);
+Scene slinky(const Knobs& knobs);
 
 // Bare steel, brushed along the wire.
 Look lookOf(const Slinky& slinky, const Rod& rod);

@@ -63,7 +63,7 @@ void addStairs(View& view, const Stairs& stairs) {
                                     {.origin = {left, y - thick, -depth / 2}}),
                               Material::matte,
                               {0.30, 0.135, 0.05}});
-        addBox(view, {left, y - 0.4, -depth / 2 + 0.004},
+        addBox(view, {left, y - 2, -depth / 2 + 0.004},
                {right - 0.003, y - thick, depth / 2 - 0.004});
     }
 }
@@ -124,8 +124,9 @@ Scene slinky(const Knobs& knobs) {
                   .self = Self::none}});
     world.letGo(held, arcSeconds);
 
+    // With half as many it stumbles in the third step.
     scene.options.schedule = {
-        .substeps = knobs.byQuality(24, 32, 48), .frameRate = {48, 1}, .iterations = 2};
+        .substeps = knobs.byQuality(48, 48, 64), .frameRate = {48, 1}, .iterations = 2};
     scene.options.sweeps = Sweeps::oneWay;
     scene.options.damping = 1 - exponential(-0.2 / 24);
     scene.seconds = seconds;

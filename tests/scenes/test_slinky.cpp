@@ -6,6 +6,7 @@
 #include <plait/solver.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace plait;
@@ -42,4 +43,40 @@ TEST_CASE("slinky: hung, let go, its last turn hangs in the air [FX4]", "[rods]"
     CHECK(report("last turn moves until then, % of the extension", most[1], 0.5));
     CHECK(report("middle of all off a stone that falls beside it, mm", most[2], 1));
     CHECK(report("what contacts did not hold", most[4], 0));
+}
+
+// An end lands where the lower of its turns first lies within 4 mm of a tread below the last one.
+TEST_CASE("slinky: it walks down the stairs by itself [FX4]", "[rods][long]") {
+    const Scene scene = build(findScene("slinky"));
+    const Slinky slinky;
+    constexpr double rise = 0.15, tread = 0.14;
+    Solver<float> solver(scene.world, scene.options);
+    const int points = slinky.turns * slinky.links + 1;
+    std::vector<double> landings;
+    std::array<int, 2> at{0, 0};
+    double strain = 0;
+    while (solver.time() < scene.seconds) {
+        solver.frame();
+        const auto x = solver.positions();
+        for (const int end : {0, 1}) {
+            Vec<double> middle{};
+            for (int i = 0; i < slinky.links; ++i)
+                middle += (1.0 / slinky.links) * x[end ? points - 1 - i : i];
+            const int on = static_cast<int>(std::floor(middle.x / tread));
+            if (on <= at[end] || middle.y + on * rise > 4e-3) continue;
+            at[end] = on;
+            landings.push_back(solver.time());
+        }
+        for (int i = 0; i + 1 < points; ++i)
+            strain = std::max(strain,
+                              std::fabs(length(x[i + 1] - x[i]) /
+                                            length(scene.world.rest[i + 1] - scene.world.rest[i]) -
+                                        1));
+    }
+    for (std::size_t i = 1; i < landings.size(); ++i)
+        note("step " + std::to_string(i) + ", s", landings[i] - landings[i - 1]);
+    note("wire strain at worst", strain);
+    // The first is the hand's.
+    CHECK(landings.size() >= 5);
+    CHECK(std::abs(at[0] - at[1]) <= 1);
 }
