@@ -144,8 +144,8 @@ Scene slinky(const Knobs& knobs) {
         const Vec<double> at{(0.5 + way) * stairs.tread, -way * stairs.rise, 0};
         return Camera{.time = time,
                       .eye = at + Vec<double>{0.55, 0.42, 1.6},
-                      .target = at + Vec<double>{0.1, -0.02, 0},
-                      .focalLength = 50};
+                      .target = at + Vec<double>{0.04, -0.03, 0},
+                      .focalLength = 66};
     };
     view.cameras = {camera(0, 0.5), camera(0.5, 0.7), camera(2, 2.6), camera(3.4, 4.9),
                     camera(4.5, 5.2)};
