@@ -170,7 +170,7 @@ void checkAll(const std::string& quality) {
 
 }  // namespace
 
-TEST_CASE("every scene keeps to its bands at draft", "[program]") { checkAll("draft"); }
+TEST_CASE("every scene keeps to its bands at draft", "[program][figures]") { checkAll("draft"); }
 
 TEST_CASE("every scene keeps to its bands at preview", "[program][long]") { checkAll("preview"); }
 

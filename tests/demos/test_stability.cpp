@@ -168,7 +168,7 @@ TEST_CASE("stability: the sheet's fastest mode", "[stability]") {
     }
 }
 
-TEST_CASE("stability: boundaries stay where they are", "[stability]") {
+TEST_CASE("stability: boundaries stay where they are", "[stability][figures]") {
     checkMap("chain-length", {}, 3);
     checkMap("rotation", {}, 2);
     checkMap("speed-thickness", {}, 2);

@@ -57,7 +57,7 @@ Reference unconfirmed(const Trajectory& trajectory) {
 
 // References are as good as the question needs: of the strip 1e-6 of its size and of the sheet
 // 8e-5, where defaults are off by 8e-4 and 2e-2 (study strip-in-wind, hanging-sheet-32).
-TEST_CASE("defaults lie on the measured front", "[study]") {
+TEST_CASE("defaults lie on the measured front", "[study][figures]") {
     for (const char* name : {"unit-spring", "pendulum", "chain", "cantilever"}) {
         const Study& study = studyNamed(name);
         checkFront(name, unconfirmed(study.reference.solve(studyRun(study, {}), 0)));

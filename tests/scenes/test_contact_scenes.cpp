@@ -213,7 +213,7 @@ void holdAsItLands(const std::string& ball, Quality quality) {
 }  // namespace
 
 TEST_CASE("sheet on a sphere: in few substeps lengths, folds and the ball all hold",
-          "[contacts][colliders][scenes]") {
+          "[contacts][colliders][scenes][figures]") {
     holdAsItLands(GENERATE("solid", "mesh"), Quality::preview);
 }
 

@@ -136,11 +136,11 @@ double energyOf(const Solver<float>& solver, const World& world) {
 
 }  // namespace
 
-TEST_CASE("flag: its threads keep their length", "[flag]") {
+TEST_CASE("flag: its threads keep their length", "[flag][figures]") {
     requireBands(flagOf(Quality::draft), 4, "draft");
 }
 
-TEST_CASE("flag: without wind its energy never grows", "[flag]") {
+TEST_CASE("flag: without wind its energy never grows", "[flag][figures]") {
     for (const Integrator integrator : {Integrator::first, Integrator::bdf2}) {
         Scene scene = flagOf(Quality::draft, {{"wind", 0}});
         scene.options.integrator = integrator;

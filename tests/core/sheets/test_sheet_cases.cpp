@@ -101,7 +101,7 @@ TEST_CASE("sheet cases: without mending they stretch, and no more", "[inextensib
 }
 
 TEST_CASE("sheet cases: 2 steps a frame of 2 iterations of global hold all of 32 x 32 to 2 %",
-          "[inextensible]") {
+          "[inextensible][figures]") {
     holdAll(32, globally(2, 2));
 }
 
@@ -169,7 +169,7 @@ void checkSoft(const std::string& name, const Shape& shape, int pins, double com
 
 }  // namespace
 
-TEST_CASE("sheet cases: soft cloth is longer by a tenth, and no more", "[inextensible]") {
+TEST_CASE("sheet cases: soft cloth is longer by a tenth, and no more", "[inextensible][figures]") {
     checkSoft("strip of 1:50", strip(), 3, 0.15);
     checkSoft("16 x 16", square(16), 16, 0.117);
 }
@@ -206,7 +206,7 @@ void degradeSoftly(const char* name, const Shape& shape, const std::vector<int>&
 
 }  // namespace
 
-TEST_CASE("sheet cases: too little work stretches sheets softly", "[inextensible]") {
+TEST_CASE("sheet cases: too little work stretches sheets softly", "[inextensible][figures]") {
     const Work work{.frames = 60};
     degradeSoftly("grid", square(24), {0, 23}, work, 16);
     degradeSoftly("disordered", disordered(24), {0, 23}, work, 16);
