@@ -1,7 +1,7 @@
 // A gas that skins enclose: how its pressure follows its volume.
 #pragma once
 
-#include <cmath>
+#include "../numbers/elementary.h"
 
 namespace plait {
 
@@ -29,7 +29,7 @@ struct Gas {
     double energy(double volume) const {
         switch (law) {
             case GasLaw::isothermal:
-                return outside * volume - amount * std::log(volume);
+                return outside * volume - amount * logarithm(volume);
             case GasLaw::adiabatic:
                 return outside * volume + absolute(volume) * volume / (exponent - 1);
             case GasLaw::constantPressure:
@@ -43,7 +43,7 @@ struct Gas {
             case GasLaw::isothermal:
                 return amount / volume;
             case GasLaw::adiabatic:
-                return amount / reference * std::pow(reference / volume, exponent);
+                return amount / reference * power(reference / volume, exponent);
             case GasLaw::constantPressure:
                 break;
         }
