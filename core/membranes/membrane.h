@@ -1,0 +1,44 @@
+// What is stretched and what it encloses, solved at once: springs, rubber, and the gases inside.
+// Sweeps hand pressure on by a ring of triangles each, and turn what is under stress (A9); an
+// evaluation of this set is a step of Newton's method on implicit Euler for all of it.
+#pragma once
+
+#include "../constraints/rows.h"
+#include "../constraints/stretch.h"
+#include "../gas/gas.h"
+#include "../world.h"
+#include "rubber.h"
+
+#include <functional>
+#include <vector>
+
+namespace plait {
+
+struct Membrane {
+    struct Rubber {
+        std::vector<int> triangles;     // 3 vertices each; at rest as World::rest has them
+        std::vector<double> thickness;  // m at rest: one for all, or one a triangle
+        Ogden law;
+        bool relaxed = false;  // wrinkles in place of being pressed (Ogden::relaxedAt)
+    };
+    // Gas within closed surfaces, which may be parts of several bodies; what closes an opening is
+    // among the triangles, and need be nobody's rubber.
+    struct Filling {
+        std::vector<int> triangles;                // 3 vertices each, outward
+        Gas gas;                                   //
+        std::function<double(double t)> amount{};  // J, n R T at t (s); none: the gas's own
+    };
+
+    Rows<Stretch> springs;  // compliances above 0
+    std::vector<Rubber> rubber;
+    std::vector<Filling> gases;
+    // Of conjugate gradients in an evaluation, of which a palindrome makes two.
+    int iterations = 15;
+    double tolerance = 1e-10;  // of the residual, at which they stop
+};
+
+// Throws std::invalid_argument, naming the set, for vertices that are not there, triangles without
+// area or thickness, springs without compliance, and gas whose volume is not above 0.
+void holdMembrane(World& world, const Membrane& membrane, SetOptions options);
+
+}  // namespace plait

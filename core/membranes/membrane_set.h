@@ -1,0 +1,87 @@
+// The set of a membrane (membrane.h).
+#pragma once
+
+#include "../constraint.h"
+#include "membrane.h"
+#include "membrane_system.h"
+
+#include <memory>
+
+namespace plait {
+
+// An evaluation takes the vertices from where the others left them, less what this set has moved
+// them in the substep, as the prediction of implicit Euler, and goes one step of Newton's method
+// from where they are, as far as energy falls. Of what is free, the impulses of this set neither
+// move the centre of mass nor turn it, however early its iterations end.
+template <class Real>
+class MembraneSet : public Constraint<Real> {
+public:
+    MembraneSet(const World& world, const Membrane& membrane);
+
+    void beginFrame(double t0, double t1) override;
+    void begin(const Substep& substep, Workers& workers) override;
+    void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override;
+    long size() const override {
+        return static_cast<long>(springs_.size() + patches_.size()) * (1 + iterations_ / 4);
+    }
+
+private:
+    // A triangle of rubber.
+    struct Sheet {
+        Patch patch;
+        int law;
+    };
+    struct Law {
+        Ogden ogden;
+        bool relaxed;
+    };
+    struct Enclosed {
+        std::vector<std::array<int, 3>> triangles;
+        std::vector<int> start, corners;  // by vertex, 3 * triangle + corner
+        Gas gas;
+        std::function<double(double)> amount;
+        double from = 0, to = 0;  // J, at the ends of the base step
+        double volume = 0;
+        std::vector<Four> gradient;
+    };
+
+    int local(int vertex);
+    void gather(const Sweep<Real>& sweep, Workers& workers);
+    double evaluate(Workers& workers);
+    void fill(Enclosed& gas, Workers& workers);
+    double volumeOf(const Enclosed& gas, std::span<const Four> x, Workers& workers);
+    double energyAt(double step, Workers& workers);
+    double search(Workers& workers);
+    void conserve(double step);
+    void scatter(const Sweep<Real>& sweep, double step, Workers& workers);
+    void findIslands();
+
+    int iterations_;
+    double tolerance_;
+    std::vector<int> ids_;  // of particles, by vertex of the set
+    std::vector<int> places_;
+    std::vector<std::array<int, 2>> ends_;
+    std::vector<std::array<int, 3>> corners_;
+    std::vector<Spring> springs_;
+    std::vector<Sheet> patches_;
+    std::vector<Law> laws_;
+    std::vector<Enclosed> gases_;
+    std::vector<std::vector<int>> islands_;
+    std::unique_ptr<MembraneSystem> system_;
+
+    Vec<double> origin_{0, 0, 0};  // m, of x_
+    std::vector<Four> x_, trial_, kept_, step_, right_;
+    std::vector<double> mass_;  // kg, 0: pinned
+    std::vector<Block> inertia_, springBlocks_;
+    std::vector<Vec<double>> springForces_;
+    std::vector<std::array<Vec<double>, 3>> patchForces_;
+    std::vector<std::array<Block, 6>> patchBlocks_;
+    std::vector<double> energies_;  // J, by element
+    double inverseH2_ = 0;
+    bool heavy_ = false;  // with the air's inertia
+};
+
+extern template class MembraneSet<float>;
+extern template class MembraneSet<double>;
+
+}  // namespace plait
