@@ -22,7 +22,7 @@ Sums<Volume> volumeOf(const Enclosure& enclosure, const SumLaw& law) {
     return sums;
 }
 
-void check(const std::string& name, const std::string& what, double value, bool sound) {
+void check(const std::string& name, const char* what, double value, bool sound) {
     if (!sound || !std::isfinite(value))
         throw std::invalid_argument(name + ": " + what + " is " + std::to_string(value));
 }
