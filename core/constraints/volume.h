@@ -34,8 +34,8 @@ struct Volume {
         }
         const T c = dot(gradient[0], x[0]) - row.rest;
         // What has all but collapsed would be thrown a hundred times its size: it has no direction.
-        const auto sound = c * c <= T(1e4) * slope2 * size2;
-        for (Vec<T>& g : gradient) g = select(sound, T(1), T(0)) * g;
+        const auto lost = c * c > T(1e4) * slope2 * size2;
+        for (Vec<T>& g : gradient) g = select(lost, T(0), T(1)) * g;
         return c;
     }
 

@@ -18,7 +18,8 @@ double relative(double value, double expected) { return std::fabs(value / expect
 
 std::vector<Gas> everyGas(double volume) {
     return {{.amount = 120000 * volume, .reference = 2 * volume, .law = GasLaw::isothermal},
-            {.amount = 60000 * volume, .law = GasLaw::isothermal},  // below what is outside
+            {.amount = 60000 * volume,
+             .law = GasLaw::isothermal},  // below what is outside, as the next but one
             {.amount = 500 * volume, .outside = 0},
             {.amount = 90000 * volume, .reference = 0.7 * volume, .law = GasLaw::adiabatic},
             {.amount = 300000 * volume, .reference = 2 * volume, .law = GasLaw::constantPressure}};
@@ -67,7 +68,7 @@ TEMPLATE_TEST_CASE("gas: at rest the multiplier is the gauge pressure of every l
     for (std::size_t i = 0; i < gases.size(); ++i) {
         const double expected = gases[i].gauge(now);
         worst = std::max(worst, relative(pressureOf(solver, static_cast<int>(i)), expected));
-        REQUIRE((expected < 0) == (i == 1));
+        REQUIRE((expected < 0) == (i == 1 || i == 3));
     }
     // In float positions are rounded, and 1 / h^2 is.
     REQUIRE(report("multiplier / h^2 against Gas::gauge", worst,
@@ -178,7 +179,9 @@ TEST_CASE("gas: a volume that is held stays through a fall", "[gas]") {
     for (auto& row : floor.rows) row = {{0, 0, 0}, {0, 1, 0}, 0};
     world.constrain(floor, named("floor"));
     world.act<Gravity>(GravityOptions{});
-    Solver<float> solver(world, steps(10, 4));
+    SolverOptions options = steps(10, 8);
+    options.schedule.collisionPasses = 8;
+    Solver<float> solver(world, options);
     double worst = 0, lowest = 1;
     for (int frame = 0; frame < 24; ++frame) {
         solver.frame();
@@ -228,8 +231,7 @@ TEST_CASE("gas: volume against pressure is one curve, up and down", "[gas]") {
     }
     double apart = 0;
     for (int i = 0; i + 1 < stages; ++i) {
-        REQUIRE(volumes[i + 1] > volumes[i]);
-        REQUIRE(volumes[2 * stages - 3 - i] < volumes[2 * stages - 4 - i] + (i == stages - 2));
+        REQUIRE(volumes[i + 1] > 1.1 * volumes[i]);
         apart = std::max(apart, relative(volumes[2 * stages - 2 - i], volumes[i]));
     }
     REQUIRE(report("stretch against that of the sphere of springs", worst, 0.02));
@@ -271,7 +273,7 @@ TEST_CASE("gas: what is squeezed between plates keeps p V", "[gas]") {
     for (const double side : {-1.0, 1.0}) {
         auto plate = restRows<PlaneContact>(pointStencils(ball), world.rest);
         plate.animate = [side](double t, std::span<PlaneContact::Row<double>> rows) {
-            const double height = 0.35 - 0.15 * std::min(t, 1.0);
+            const double height = 0.35 - 0.2 * std::min(t, 1.0);
             for (auto& row : rows) row = {{0, side * height, 0}, {0, -side, 0}, 0};
         };
         plate.animate(0, plate.rows);
