@@ -27,12 +27,11 @@ void check(const std::string& name, const char* what, double value, bool sound) 
         throw std::invalid_argument(name + ": " + what + " is " + std::to_string(value));
 }
 
-const Gas& checked(const std::string& name, const Gas& gas) {
+void check(const std::string& name, const Gas& gas) {
     check(name, "the amount of gas", gas.amount, gas.amount >= 0);
     check(name, "the gas's reference volume", gas.reference, gas.reference > 0);
     check(name, "the pressure outside", gas.outside, gas.outside >= 0);
     check(name, "the gas's exponent", gas.exponent, gas.exponent > 1);
-    return gas;
 }
 
 // Of a ball of as much area.
@@ -44,7 +43,7 @@ double mostVolume(const World& world, const Enclosure& enclosure) {
 }  // namespace
 
 void holdGas(World& world, const Enclosure& enclosure, const Gas& gas, SetOptions options) {
-    checked(options.name, gas);
+    check(options.name, gas);
     holdGas(world, enclosure, [gas](double) { return gas; }, std::move(options));
 }
 
@@ -53,7 +52,8 @@ void holdGas(World& world, const Enclosure& enclosure, std::function<Gas(double 
     Sums<Volume> sums = volumeOf(enclosure, {});
     const double least = 1e-6 * mostVolume(world, enclosure);
     sums.law = [least, gasAt = std::move(gasAt), name = options.name](int, double value, double t) {
-        const Gas gas = checked(name, gasAt(t));
+        const Gas gas = gasAt(t);
+        check(name, gas);
         const double v = value > least ? value : least;
         return SumLaw{
             .rest = v, .load = gas.gauge(v), .softness = 1, .stiffness = gas.stiffness(v)};
