@@ -135,6 +135,20 @@ TEST_CASE("gas: a sum reaches its value, in air too", "[gas]") {
     REQUIRE(report("volume after eight projections", worst, 1e-14));
 }
 
+TEST_CASE("gas: a sum loses nothing far from the origin", "[gas]") {
+    Random random(11);
+    auto [shape, enclosure] = closedSurfaces()[0];
+    for (Vec<double>& x : shape.positions) x += Vec<double>{4096, -4096, 4096};
+    Sample<double> sample(random, shape.positions, 0.03);
+    const double rest = 0.8 * volume(enclosure, sample.positions());
+    SumSet<Volume, double> set(volumeSum(enclosure, {.rest = rest}));
+    Workers workers(1);
+    for (int i = 0; i < 8; ++i) set.project(sample.sweep(), Direction::forward, workers);
+    // Positions are rounded to 5e-13 m as they are read.
+    REQUIRE(report("volume after eight projections, 7 km away",
+                   std::fabs(volume(enclosure, sample.positions()) / rest - 1), 1e-11));
+}
+
 // Of the constrained minimum of m d^2 / 2: d = W g lambda with g at the end, whatever the way
 // there.
 TEST_CASE("gas: a law with compliance ends where load and stiffness balance", "[gas]") {
