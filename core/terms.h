@@ -3,6 +3,7 @@
 // they are a potential U = C^2 / (2 alpha), or a constraint C = 0 where alpha is 0.
 #pragma once
 
+#include "constraints/constants.h"
 #include "numbers/arctangent.h"
 #include "numbers/dual.h"
 #include "state.h"
@@ -54,13 +55,12 @@ Stencil<Vec<Real>, Kind::arity> located(const State<Real>& state, const int* ids
                                         const typename Kind::template Row<Real>& row) {
     Stencil<Vec<Real>, Kind::arity> x{};
     const Particle<Real>& first = state.particles[ids[0]];
-    if constexpr (Kind::arity == 1) {
-        x[0] = (first.x - Kind::origin(row)) + first.d;
-    } else {
-        for (int a = 1; a < Kind::arity; ++a) {
-            const Particle<Real>& p = state.particles[ids[a]];
+    for (int a = 0; a < Kind::arity; ++a) {
+        const Particle<Real>& p = state.particles[ids[a]];
+        if constexpr (anchored<Kind>)
+            x[a] = (p.x - Kind::origin(row)) + p.d;
+        else if (a > 0)
             x[a] = (p.x - first.x) + (p.d - first.d);
-        }
     }
     return x;
 }
@@ -109,9 +109,9 @@ void setTerm(Terms<Real>& terms, int i, const int* ids,
     Real* const curvature = &terms.curvature[numbers * numbers * i];
     for (int n = 0; n < numbers; ++n) {
         auto dual = eachAs<Stencil<Vec<D>, arity>, Stencil<Vec<Real>, arity>, D, Real>(x);
-        // The first vertex is where the others are measured from.
+        // Unless there is an origin, the first vertex is where the others are measured from.
         const Vec<D> step{D(0, n % 3 == 0), D(0, n % 3 == 1), D(0, n % 3 == 2)};
-        if (n / 3 > 0 || arity == 1)
+        if (n / 3 > 0 || anchored<Kind>)
             dual[n / 3] += step;
         else
             for (int a = 1; a < arity; ++a) dual[a] -= step;

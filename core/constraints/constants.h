@@ -3,7 +3,9 @@
 //   arity                    how many vertices it joins
 //   Row<T>                   its parameters, members of type T only
 //   evaluate(row, x, g)      C(x) and its gradient. x is relative to the first vertex, or, where
-//                            arity is 1, to origin(row); so no digits go to where the scene stands
+//   the
+//                            kind is anchored, to origin(row); so no digits go to where the scene
+//                            stands. What joins vertices to nothing else is not anchored
 //   compliance(row, s)       inverse stiffness, given the sign of s: the value C would have without
 //                            this constraint. `slack` means that the constraint does not act there
 //   rest(x)                  the row for which x is the rest shape
@@ -20,6 +22,11 @@ inline namespace PLAIT_ISA {
 // The compliance where a constraint does not act: its multiplier is 0 there. One-sided constraints
 // are two-sided ones with this on their free side.
 inline constexpr double slack = 1e30;
+
+// Positions come relative to origin(row): a kind that acts on the world, or is part of a sum.
+template <class Kind>
+inline constexpr bool anchored =
+    requires(const typename Kind::template Row<double>& row) { Kind::origin(row); };
 
 inline constexpr double pi = 3.14159265358979323846;
 

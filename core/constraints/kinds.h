@@ -9,6 +9,7 @@
 #include "shear.h"
 #include "stretch.h"
 #include "tether.h"
+#include "volume.h"
 
 namespace plait {
 inline namespace PLAIT_ISA {
@@ -17,7 +18,7 @@ template <class... Kind>
 struct KindList {};
 
 using Kinds = KindList<Stretch, Angle, Shear, Bend, Attach, Tether, PlaneContact, SphereContact,
-                       CapsuleContact>;
+                       CapsuleContact, Volume>;
 
 }  // namespace PLAIT_ISA
 }  // namespace plait

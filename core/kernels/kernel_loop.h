@@ -38,10 +38,14 @@ template <class Kind, class T>
 Stencil<Quad<T>, Kind::arity> locate(const Scalar<T>* particles, const int* ids,
                                      const typename Kind::template Row<T>& row) {
     Stencil<Quad<T>, Kind::arity> x;
-    x[0] = gather<T>(particles, ids, 8);
-    if constexpr (Kind::arity == 1) {
-        x[0].xyz = (x[0].xyz - Kind::origin(row)) + gather<T>(particles + 4, ids, 8).xyz;
+    if constexpr (anchored<Kind>) {
+        for (int a = 0; a < Kind::arity; ++a) {
+            x[a] = gather<T>(particles, ids + a * blockSize, 8);
+            x[a].xyz = (x[a].xyz - Kind::origin(row)) +
+                       gather<T>(particles + 4, ids + a * blockSize, 8).xyz;
+        }
     } else {
+        x[0] = gather<T>(particles, ids, 8);
         x[0].xyz = {T(0), T(0), T(0)};
         for (int a = 1; a < Kind::arity; ++a)
             x[a] = gatherRelative<T>(particles, ids, ids + a * blockSize);

@@ -29,8 +29,7 @@ using Points = Stencil<Vec<double>, Kind::arity>;
 // Those that act between vertices, not on the world; and those with a compliance.
 template <class... Kind>
 auto onlyFree(KindList<Kind...>) {
-    return std::tuple_cat(
-        std::conditional_t<(Kind::arity > 1), std::tuple<Kind>, std::tuple<>>{}...);
+    return std::tuple_cat(std::conditional_t<!anchored<Kind>, std::tuple<Kind>, std::tuple<>>{}...);
 }
 template <class Kind>
 constexpr bool complies = requires(typename Kind::template Row<double> row) { row.compliance; };
@@ -62,7 +61,7 @@ double evaluateAt(const typename Kind::template Row<double>& row, const Points<K
                   Points<Kind>& g) {
     Points<Kind> local;
     Vec<double> origin = x[0];
-    if constexpr (Kind::arity == 1) origin = Kind::origin(row);
+    if constexpr (anchored<Kind>) origin = Kind::origin(row);
     for (int a = 0; a < Kind::arity; ++a) local[a] = x[a] - origin;
     return Kind::evaluate(row, local, g);
 }
@@ -160,8 +159,8 @@ std::vector<KernelChoice> everyChoice() {
 
 template <class Kind>
 std::string nameOf() {
-    const char* names[] = {"stretch", "angle", "shear",  "bend",   "attach",
-                           "tether",  "plane", "sphere", "capsule"};
+    const char* names[] = {"stretch", "angle", "shear",  "bend",    "attach",
+                           "tether",  "plane", "sphere", "capsule", "volume"};
     return names[kindIndex<Kind>(Kinds{})];
 }
 
