@@ -7,7 +7,7 @@
 
 namespace plait {
 
-enum class Family { cloth, metal, coat, skin, tulle, brushed };
+enum class Family { cloth, metal, coat, skin, tulle, brushed, latex };
 
 // `numbers` is what the family's shader calls `finish`.
 struct Finish {
@@ -41,6 +41,8 @@ inline Finish finishOf(Material material) {
             return {Family::skin, {0.03f, 0.42f, 0.09f, 0.3f}};
         case Material::brushed:
             return {Family::brushed, {0, 0.26f, 0.5f, 0.35f}};
+        case Material::latex:
+            return {Family::latex, {0.04f, 0.22f, 0.55f, 0.35f}};
     }
     return {Family::coat, {}};
 }

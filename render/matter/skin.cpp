@@ -10,6 +10,15 @@
 namespace plait {
 namespace {
 
+// Optical, of a wall of latex, by channel; a colour without light in a channel is all but opaque.
+glm::vec3 depthOf(const Look& look) {
+    glm::vec3 depth;
+    for (int k = 0; k < 3; ++k)
+        depth[k] = static_cast<float>(-std::log(std::max(look.color[k], 1e-6)) *
+                                      look.wall.thickness / look.wall.clear);
+    return depth;
+}
+
 glm::vec3 toGlm(const Vec<double>& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
@@ -66,6 +75,7 @@ Skin::Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, 
       material_(look.material),
       color_(toGlm(look.color)),
       printed_(look.print == "plait"),
+      depth_(depthOf(look)),
       radius_(static_cast<float>(look.radius)) {
     if (range_.first < 0 || range_.last > complex.count(0) || range_.size() < 1)
         throw std::invalid_argument("look: its object is not a range of the world's vertices");
@@ -145,6 +155,8 @@ void Skin::addSurface(const SimplicialComplex& complex, std::span<const Vec<doub
         triangles_ = subdivision_.triangles();
     }
     surfaceTriangles_ = static_cast<int>(triangles_.size());
+    if (material_ == Material::latex)
+        areaStretch_ = AreaStretch(coarse, rest.subspan(range_.first, range_.size()));
     layCloth(rest, coarse, look);
     paint(look);
 }
@@ -219,6 +231,7 @@ void Skin::updateSurface(bool tinted) {
         subdivision_.apply<glm::vec3>(coarse_, fine_);
         subdivision_.apply<glm::vec3>(coarseTints_, fineTints_);
     }
+    if (material_ == Material::latex) updateStretch();
     const auto& x = refined ? fine_ : coarse_;
     const auto& tints = refined ? fineTints_ : coarseTints_;
     for (int i = 0; i < surfaceVertices_; ++i)
@@ -249,6 +262,14 @@ void Skin::updateSurface(bool tinted) {
             a.cavity += bend;
             b.cavity += bend;
         }
+}
+
+void Skin::updateStretch() {
+    areaStretch_.measure(coarse_, coarseStretch_);
+    if (subdivision_.size() > 0)
+        subdivision_.apply<float>(coarseStretch_, satin_);
+    else
+        satin_ = coarseStretch_;
 }
 
 void Skin::updateCurves() {

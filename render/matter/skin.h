@@ -1,6 +1,7 @@
 // What is seen of an object: from its vertices in the world to triangles with normals, every frame.
 #pragma once
 
+#include "area_stretch.h"
 #include "mesh_vertex.h"
 #include "polyline.h"
 #include "scenes/view.h"
@@ -40,6 +41,8 @@ public:
     bool faint() const { return wire_ && wire_->faint(); }            // to be blended
     std::size_t group() const { return wire_ ? wire_->group() : 1; }  // WireSkin
     bool colored() const { return !colors_.empty(); }                 // by vertex, unless tinted
+    // Of latex: with its thickness at rest, by channel, exp(-depth) of the light comes through.
+    const glm::vec3& depth() const { return depth_; }
     const glm::vec2& size() const { return size_; }  // m, of the cloth along u and v
     // m, of an edge of a surface whose triangles are as small as is seen: there light changes
     // little from vertex to vertex. Otherwise 0.
@@ -52,6 +55,7 @@ private:
     void layCloth(std::span<const Vec<double>> rest, std::span<const std::array<int, 3>> triangles,
                   const Look& look);
     void updateSurface(bool tinted);
+    void updateStretch();
     void addWire(std::span<const Vec<double>> rest, const Look& look, float pixel);
     void updateCurves();
     void updateWire(WireSkin& wire, std::span<const Vec<double>> positions, const Lens& lens);
@@ -60,6 +64,7 @@ private:
     Material material_;
     glm::vec3 color_;
     bool printed_ = false;
+    glm::vec3 depth_{0};
     float radius_ = 0;
     glm::vec2 size_{1};
     float facet_ = 0;
@@ -68,7 +73,9 @@ private:
     int surfaceVertices_ = 0, surfaceTriangles_ = 0;
     std::vector<glm::vec2> uv_;  // m, of fine vertices
     std::vector<glm::vec3> colors_;
-    std::vector<float> satin_;
+    std::vector<float> satin_;  // of latex its stretch, from frame to frame
+    AreaStretch areaStretch_;
+    std::vector<float> coarseStretch_;
     std::vector<Polyline> curves_;
     std::optional<WireSkin> wire_;
     Range directors_;

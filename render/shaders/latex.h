@@ -1,0 +1,48 @@
+// Rubber that is blown up.
+#pragma once
+
+namespace plait {
+
+// Follows surfaceShader. Incompressible, a wall gets thinner as its area grows: of the light from
+// behind exp(-depth / stretch) comes through, by channel. What is mirrored are the stage and soft
+// boxes where the lights stand, sharp where the wall is taut.
+inline constexpr const char* latexShader = R"glsl(
+uniform vec4 finish;  // reflectance, roughness where it is taut and limp, wrap
+uniform vec3 depth;   // optical, at rest
+in float vertexStretch;
+
+// Part of a lobe of spread s around x that falls within h to either side of 0: a Gauss's integral.
+float within(float x, float h, float s) { return .5 * (tanh((x + h) / s) - tanh((x - h) / s)); }
+
+// A soft box that faces what it lights and sends it as much light as `light` does, upright as seen
+// from below; its sides are half as wide and high as `size`, in radians.
+vec3 softBox(vec3 r, vec3 direction, vec3 light, vec2 size, float blur) {
+    vec3 side = normalize(cross(direction, vec3(0, 1, 0))), up = cross(side, direction);
+    float ahead = dot(r, direction);
+    vec2 p = vec2(dot(r, side), dot(r, up)) / max(ahead, .05);
+    float part = within(p.x, size.x, blur) * within(p.y, size.y, blur) * smoothstep(0.0, .3, ahead);
+    return part * pi / (4.0 * size.x * size.y) * light;
+}
+
+void main() {
+    vec3 v = normalize(eye - P), n = seenNormal(v), base = surfaceColor(), r = reflect(-v, n);
+    float stretch = max(vertexStretch, 1e-3), taut = smoothstep(1.0, 5.0, stretch);
+    float key = keyLight(n), open = openness() / (1.0 + .004 * max(vertexShade.y, 0.0));
+    float nk = dot(n, keyDirection), nr = dot(n, rimDirection), nf = dot(n, fillDirection), nv = max(dot(n, v), 0.0);
+    vec3 warm = mix(vec3(1), vec3(1, .55, .4), .6 * (1.0 - smoothstep(-.1, .45, nk)));
+    vec3 diffuse = hemisphere(n) * open + keyColor * key * wrapped(nk, finish.w) * warm +
+                   bright * fillColor * wrapped(nf, .5) * (.5 + .5 * open) + .7 * rimColor * max(nr, 0.0);
+    // Inside, light that came in elsewhere is scattered about.
+    vec3 behind = keyColor * wrapped(-nk, .5) + rimColor * wrapped(-nr, .5) + bright * fillColor * wrapped(-nf, .5) +
+                  .5 * backdrop(-v, 1.0) + .3 * (hemisphere(n) + hemisphere(-n));
+    vec3 through = exp(-depth / stretch) * behind;
+    float rough = mix(finish.z, finish.y, taut), blur = .08 + 2.0 * square(rough) + sqrt(spread(n));
+    float fresnel = finish.x + (1.0 - finish.x) * fifth(1.0 - nv) * (1.0 - rough);
+    vec3 around = backdrop(r, 2.0 * rough) * open + softBox(r, keyDirection, .5 * key * keyColor, vec2(.2), blur) +
+                  softBox(r, fillDirection, bright * fillColor, vec2(.22, .3), blur) +
+                  softBox(r, rimDirection, .5 * rimColor, vec2(.2, .35), blur) * open;
+    result = shown(blend(base, mix(.62, .8, taut) * diffuse, through + fresnel * around));
+}
+)glsl";
+
+}  // namespace plait
