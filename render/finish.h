@@ -42,9 +42,14 @@ inline Finish finishOf(Material material) {
         case Material::brushed:
             return {Family::brushed, {0, 0.26f, 0.5f, 0.35f}};
         case Material::latex:
-            return {Family::latex, {0.04f, 0.22f, 0.55f, 0.35f}};
+            return {Family::latex, {0.04f, 0.12f, 0.55f, 0.35f}};
     }
     return {Family::coat, {}};
+}
+
+// Optical, of a wall at rest, by channel; without light in one it is all but opaque there.
+inline glm::vec3 depthOf(const Wall& wall, const glm::vec3& color) {
+    return -glm::log(glm::max(color, 1e-6f)) * static_cast<float>(wall.thickness / wall.clear);
 }
 
 }  // namespace plait

@@ -240,7 +240,8 @@ void Renderer::useSurface(std::size_t i, const Shot& shot) {
     program.set("wrap", finish.wrap);
     program.set("gloss", finish.gloss);
     program.set("facet", skin.facet());
-    program.set("depth", skin.depth());
+    program.set("depth",
+                depthOf(i < view_.looks.size() ? view_.looks[i].wall : Wall{}, skin.color()));
     program.set("print", glm::vec3(meshes_[i].period, skin.size().y, skin.size().x));
     program.set("emblem", 4, skin.printed() ? meshes_[i].emblem : plain_);
     program.set("weave", 5, weave_);

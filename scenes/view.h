@@ -7,6 +7,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -114,6 +115,13 @@ struct Take {
     std::vector<Camera> cameras = {};  // none: the view's
 };
 
+// A small chart in a corner of every picture: a curve, as long as its axes, and a dot where two
+// metrics of the scene are, which leaves a trail.
+struct Inset {
+    std::string x, y;  // their names; with their units the axes' labels
+    std::vector<std::array<double, 2>> curve = {};
+};
+
 struct View {
     std::vector<Camera> cameras;  // poses in time; between them the path is smooth
     Follow follow;                // moves glow and spot as well
@@ -129,6 +137,7 @@ struct View {
     // Of the film, in their order, at 24 pictures a second; a take may show again what one before
     // it did. None: the run as it is.
     std::vector<Take> takes;
+    std::optional<Inset> inset;
 };
 
 }  // namespace plait

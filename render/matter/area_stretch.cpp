@@ -16,8 +16,8 @@ AreaStretch::AreaStretch(std::span<const std::array<int, 3>> triangles,
                          std::span<const Vec<double>> rest)
     : triangles_(triangles.begin(), triangles.end()), perArea_(rest.size()) {
     const auto area = [&](const std::array<int, 3>& t) {
-        return static_cast<float>(
-            0.5 * length(cross(rest[t[1]] - rest[t[0]], rest[t[2]] - rest[t[0]])));
+        return static_cast<float>(0.5 *
+                                  length(cross(rest[t[1]] - rest[t[0]], rest[t[2]] - rest[t[0]])));
     };
     addAreas(triangles_, area, perArea_);
     for (float& a : perArea_) a = a > 0 ? 1 / a : 0;

@@ -10,15 +10,6 @@
 namespace plait {
 namespace {
 
-// Optical, of a wall of latex, by channel; a colour without light in a channel is all but opaque.
-glm::vec3 depthOf(const Look& look) {
-    glm::vec3 depth;
-    for (int k = 0; k < 3; ++k)
-        depth[k] = static_cast<float>(-std::log(std::max(look.color[k], 1e-6)) *
-                                      look.wall.thickness / look.wall.clear);
-    return depth;
-}
-
 glm::vec3 toGlm(const Vec<double>& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
@@ -75,7 +66,6 @@ Skin::Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, 
       material_(look.material),
       color_(toGlm(look.color)),
       printed_(look.print == "plait"),
-      depth_(depthOf(look)),
       radius_(static_cast<float>(look.radius)) {
     if (range_.first < 0 || range_.last > complex.count(0) || range_.size() < 1)
         throw std::invalid_argument("look: its object is not a range of the world's vertices");

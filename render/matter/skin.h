@@ -41,8 +41,6 @@ public:
     bool faint() const { return wire_ && wire_->faint(); }            // to be blended
     std::size_t group() const { return wire_ ? wire_->group() : 1; }  // WireSkin
     bool colored() const { return !colors_.empty(); }                 // by vertex, unless tinted
-    // Of latex: with its thickness at rest, by channel, exp(-depth) of the light comes through.
-    const glm::vec3& depth() const { return depth_; }
     const glm::vec2& size() const { return size_; }  // m, of the cloth along u and v
     // m, of an edge of a surface whose triangles are as small as is seen: there light changes
     // little from vertex to vertex. Otherwise 0.
@@ -64,7 +62,6 @@ private:
     Material material_;
     glm::vec3 color_;
     bool printed_ = false;
-    glm::vec3 depth_{0};
     float radius_ = 0;
     glm::vec2 size_{1};
     float facet_ = 0;

@@ -27,21 +27,22 @@ vec3 softBox(vec3 r, vec3 direction, vec3 light, vec2 size, float blur) {
 void main() {
     vec3 v = normalize(eye - P), n = seenNormal(v), base = surfaceColor(), r = reflect(-v, n);
     float stretch = max(vertexStretch, 1e-3), taut = smoothstep(1.0, 5.0, stretch);
-    float key = keyLight(n), open = openness() / (1.0 + .004 * max(vertexShade.y, 0.0));
+    float key = keyLight(n), open = openness() / (1.0 + .012 * max(vertexShade.y, 0.0));
     float nk = dot(n, keyDirection), nr = dot(n, rimDirection), nf = dot(n, fillDirection), nv = max(dot(n, v), 0.0);
     vec3 warm = mix(vec3(1), vec3(1, .55, .4), .6 * (1.0 - smoothstep(-.1, .45, nk)));
-    vec3 diffuse = hemisphere(n) * open + keyColor * key * wrapped(nk, finish.w) * warm +
+    float crept = mix(1.0, key, smoothstep(-.1, .3, nk));  // its own shadow begins where light has crept to
+    vec3 diffuse = hemisphere(n) * open + keyColor * crept * wrapped(nk, finish.w) * warm +
                    bright * fillColor * wrapped(nf, .5) * (.5 + .5 * open) + .7 * rimColor * max(nr, 0.0);
     // Inside, light that came in elsewhere is scattered about.
-    vec3 behind = keyColor * wrapped(-nk, .5) + rimColor * wrapped(-nr, .5) + bright * fillColor * wrapped(-nf, .5) +
-                  .5 * backdrop(-v, 1.0) + .3 * (hemisphere(n) + hemisphere(-n));
-    vec3 through = exp(-depth / stretch) * behind;
-    float rough = mix(finish.z, finish.y, taut), blur = .08 + 2.0 * square(rough) + sqrt(spread(n));
+    vec3 behind = .6 * keyColor * wrapped(-nk, .5) + .7 * rimColor * wrapped(-nr, .5) +
+                  .6 * bright * fillColor * wrapped(-nf, .5) + .8 * backdrop(-v, 1.0) + .3 * hemisphere(-n);
+    vec3 through = exp(-depth / stretch);
+    float rough = mix(finish.z, finish.y, taut), blur = .01 + 2.2 * square(rough) + 2.0 * sqrt(spread(n));
     float fresnel = finish.x + (1.0 - finish.x) * fifth(1.0 - nv) * (1.0 - rough);
     vec3 around = backdrop(r, 2.0 * rough) * open + softBox(r, keyDirection, .5 * key * keyColor, vec2(.2), blur) +
-                  softBox(r, fillDirection, bright * fillColor, vec2(.22, .3), blur) +
+                  softBox(r, fillDirection, bright * fillColor, vec2(.17, .22), blur) +
                   softBox(r, rimDirection, .5 * rimColor, vec2(.2, .35), blur) * open;
-    result = shown(blend(base, mix(.62, .8, taut) * diffuse, through + fresnel * around));
+    result = shown(blend(base, mix(.42, .85, taut) * (1.0 - .6 * through) * diffuse, through * behind + fresnel * around));
 }
 )glsl";
 
