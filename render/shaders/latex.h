@@ -9,10 +9,13 @@ namespace plait {
 inline constexpr const char* latexShader = R"glsl(
 uniform vec4 finish;  // reflectance, roughness where it is taut and limp, wrap
 uniform vec3 depth;   // optical, at rest
+// The factor by which the wall's area has grown.
 in float vertexStretch;
 
-// Part of a lobe of spread s around x that falls within h to either side of 0: a Gauss's integral.
-float within(float x, float h, float s) { return .5 * (tanh((x + h) / s) - tanh((x - h) / s)); }
+// About the part of a lobe of spread s around x that falls within h to either side of 0. Some tanh
+// overflow.
+float below(float x) { return .5 + .5 * tanh(clamp(x, -9.0, 9.0)); }
+float within(float x, float h, float s) { return below((x + h) / s) - below((x - h) / s); }
 
 // A soft box that faces what it lights and sends it as much light as `light` does, upright as seen
 // from below; its sides are half as wide and high as `size`, in radians.
@@ -34,15 +37,15 @@ void main() {
     vec3 diffuse = hemisphere(n) * open + keyColor * crept * wrapped(nk, finish.w) * warm +
                    bright * fillColor * wrapped(nf, .5) * (.5 + .5 * open) + .7 * rimColor * max(nr, 0.0);
     // Inside, light that came in elsewhere is scattered about.
-    vec3 behind = .6 * keyColor * wrapped(-nk, .5) + .7 * rimColor * wrapped(-nr, .5) +
-                  .6 * bright * fillColor * wrapped(-nf, .5) + .8 * backdrop(-v, 1.0) + .3 * hemisphere(-n);
+    vec3 behind = .5 * spotlight(P) * keyColor * wrapped(-nk, .5) + .55 * rimColor * wrapped(-nr, .5) +
+                  .5 * bright * fillColor * wrapped(-nf, .5) + .65 * backdrop(-v, 1.0) + .25 * hemisphere(-n);
     vec3 through = exp(-depth / stretch);
     float rough = mix(finish.z, finish.y, taut), blur = .01 + 2.2 * square(rough) + 2.0 * sqrt(spread(n));
     float fresnel = finish.x + (1.0 - finish.x) * fifth(1.0 - nv) * (1.0 - rough);
     vec3 around = backdrop(r, 2.0 * rough) * open + softBox(r, keyDirection, .5 * key * keyColor, vec2(.2), blur) +
                   softBox(r, fillDirection, bright * fillColor, vec2(.17, .22), blur) +
                   softBox(r, rimDirection, .5 * rimColor, vec2(.2, .35), blur) * open;
-    result = shown(blend(base, mix(.42, .85, taut) * (1.0 - .6 * through) * diffuse, through * behind + fresnel * around));
+    result = shown(blend(base, mix(.42, .78, taut) * (1.0 - .6 * through) * diffuse, through * behind + fresnel * around));
 }
 )glsl";
 
