@@ -32,7 +32,11 @@ RunFrame frameOf(const Run& run, int number) {
 // Films the frames from the start to `last` of those asked for.
 void film(const Run& run, const std::filesystem::path& path, int first, int last, bool keep) {
     const RunFolder folder(path, settingsOf(run), {.resume = true});
-    PictureOptions options{.width = 320, .height = 180, .first = first, .last = last};
+    PictureOptions options;
+    options.width = 320;
+    options.height = 180;
+    options.first = first;
+    options.last = last;
     options.caption = false;
     options.keep = keep;
     Pictures pictures(run, folder, options);
