@@ -23,7 +23,8 @@ AreaStretch::AreaStretch(std::span<const std::array<int, 3>> triangles,
     for (float& a : perArea_) a = a > 0 ? 1 / a : 0;
 }
 
-void AreaStretch::measure(std::span<const glm::vec3> x, std::vector<float>& stretch) const {
+void AreaStretch::measure(std::span<const glm::vec3> positions, std::vector<float>& stretch) const {
+    const auto& x = positions;
     const auto area = [&](const std::array<int, 3>& t) {
         return 0.5f * glm::length(glm::cross(x[t[1]] - x[t[0]], x[t[2]] - x[t[0]]));
     };

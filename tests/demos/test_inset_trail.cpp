@@ -50,7 +50,7 @@ TEST_CASE("the inset follows two metrics, and knows nothing of later frames", "[
     const Run run = runWithInset();
     InsetTrail trail(run);
     for (int i = 0; i < frames; ++i) trail.add(frameOf(run, i));
-    const InsetChart inset = trail.at(5).value();
+    const InsetChart inset = trail.at(5).value_or(InsetChart{});
     CHECK(inset.x == "b");
     CHECK(inset.y == "a [m]");
     REQUIRE(inset.curve.size() == 2);
