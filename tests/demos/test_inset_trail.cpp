@@ -60,7 +60,7 @@ TEST_CASE("the inset follows two metrics, and knows nothing of later frames", "[
     CHECK(inset.trail.back().y == 0.5);
 
     Run other = runWithInset();
-    other.scene.view.inset->y = "c";
+    other.scene.view.inset = Inset{.x = "b", .y = "c", .curve = {{{0, 0}, {12, 1}}}};
     CHECK_THROWS_AS(InsetTrail(other), SceneError);
     other.scene.view.inset = Inset{.x = "a", .y = "b", .curve = {{{0, 0}}}};
     CHECK_THROWS_AS(InsetTrail(other), SceneError);
