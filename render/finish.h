@@ -7,7 +7,7 @@
 
 namespace plait {
 
-enum class Family { cloth, metal, coat, skin, tulle, brushed };
+enum class Family { cloth, metal, coat, skin, tulle, brushed, latex };
 
 // `numbers` is what the family's shader calls `finish`.
 struct Finish {
@@ -41,8 +41,15 @@ inline Finish finishOf(Material material) {
             return {Family::skin, {0.03f, 0.42f, 0.09f, 0.3f}};
         case Material::brushed:
             return {Family::brushed, {0, 0.26f, 0.5f, 0.35f}};
+        case Material::latex:
+            return {Family::latex, {0.04f, 0.12f, 0.55f, 0.35f}};
     }
     return {Family::coat, {}};
+}
+
+// Optical, of a wall at rest, by channel; without light in one it is all but opaque there.
+inline glm::vec3 depthOf(const Wall& wall, const glm::vec3& color) {
+    return -glm::log(glm::max(color, 1e-6f)) * static_cast<float>(wall.thickness / wall.clear);
 }
 
 }  // namespace plait

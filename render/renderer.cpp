@@ -6,6 +6,7 @@
 #include "render/shaders/brushed.h"
 #include "render/shaders/cloth.h"
 #include "render/shaders/grade.h"
+#include "render/shaders/latex.h"
 #include "render/shaders/shadow.h"
 #include "render/shaders/skin.h"
 #include "render/shaders/stage.h"
@@ -239,6 +240,8 @@ void Renderer::useSurface(std::size_t i, const Shot& shot) {
     program.set("wrap", finish.wrap);
     program.set("gloss", finish.gloss);
     program.set("facet", skin.facet());
+    program.set("depth",
+                depthOf(i < view_.looks.size() ? view_.looks[i].wall : Wall{}, skin.color()));
     program.set("print", glm::vec3(meshes_[i].period, skin.size().y, skin.size().x));
     program.set("emblem", 4, skin.printed() ? meshes_[i].emblem : plain_);
     program.set("weave", 5, weave_);
@@ -258,6 +261,8 @@ const char* Renderer::familyShader(Family family) {
             return tulleShader;
         case Family::brushed:
             return brushedShader;
+        case Family::latex:
+            return latexShader;
     }
     return coatShader;
 }
@@ -271,6 +276,7 @@ const Program& Renderer::surfaceProgram(std::size_t i, const Shot& shot) {
     if (shot.overlay && !prop) defines += "#define OVERLAY\n";
     if (skin.colored() || family == Family::tulle) defines += "#define COLORS\n";
     if (family == Family::skin) defines += "#define SKIN\n";
+    if (family == Family::latex) defines += "#define LATEX\n";
     if (skin.isWire()) defines += "#define WIRE\n";
     if (family == Family::tulle) {
         defines += "#define TULLE\n";

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct Camera {
 // A tulle is a net: what lies behind it is seen, and dimmed by each layer; it is to be drawn by
 // triangles. Skin may wear satin where its look says so.
 // Brushed metal has a grain along its wire: its highlights are drawn out across it.
+// Latex lets through the more light the thinner it is drawn out: glossy and aglow where it is taut,
+// deep and matte where it is limp. It is to be drawn by triangles; their rest shape is the world's.
 enum class Material {
     silk,
     cotton,
@@ -38,6 +41,7 @@ enum class Material {
     tulle,
     skin,
     brushed,
+    latex,
 };
 
 // Of a wire: a rectangle of `along` by `across` its director, or, without the latter, a circle of
@@ -46,6 +50,13 @@ struct Section {
     double along = 0;   // m
     double across = 0;  // m
     double bevel = 1;   // 0 .. 1: radius of the rectangle's corners in halves of its thinner side
+};
+
+// A wall of rubber whose area has grown by the factor s lets through exp(-k thickness / s) of the
+// light from behind, by channel; k = -ln(color) / clear.
+struct Wall {
+    double thickness = 0.25e-3;  // m, at rest
+    double clear = 16e-6;        // m, at which what comes through has the look's colour
 };
 
 // How one object of the world is drawn: its triangles, or its curves as tubes of `radius`, or, with
@@ -64,6 +75,7 @@ struct Look {
     std::vector<double> satin = {};                  // 0 .. 1, how much of it skin wears
     Section section = {};
     Range directors = {};  // of a wire, one an edge, beside its middle; none: a frame without twist
+    Wall wall = {};        // of latex
 };
 
 // What stands about and does not move, or moves as one rigid thing.
@@ -103,6 +115,13 @@ struct Take {
     std::vector<Camera> cameras = {};  // none: the view's
 };
 
+// A small chart in a corner of every picture: a curve, as long as its axes, and a dot where two
+// metrics of the scene are, which leaves a trail.
+struct Inset {
+    std::string x, y;  // their names; with their units the axes' labels
+    std::vector<std::array<double, 2>> curve = {};
+};
+
 struct View {
     std::vector<Camera> cameras;  // poses in time; between them the path is smooth
     Follow follow;                // moves glow and spot as well
@@ -118,6 +137,7 @@ struct View {
     // Of the film, in their order, at 24 pictures a second; a take may show again what one before
     // it did. None: the run as it is.
     std::vector<Take> takes;
+    std::optional<Inset> inset;
 };
 
 }  // namespace plait

@@ -5,6 +5,7 @@
 #include "demos/tools/pipe.h"
 #include "demos/tools/words.h"
 #include "film.h"
+#include "inset_trail.h"
 #include "overlays.h"
 #include "render/pictures/caption.h"
 #include "render/pictures/contact_sheet.h"
@@ -102,7 +103,12 @@ struct Pictures::Work {
     };
 
     Work(const Run& r, const RunFolder& f, const PictureOptions& o)
-        : run(r), folder(f), options(o), film(r, o.first, o.last), overlays(r, o.overlay) {
+        : run(r),
+          folder(f),
+          options(o),
+          film(r, o.first, o.last),
+          overlays(r, o.overlay),
+          trail(r) {
         if (film.size() == 0)
             throw FileError(run.entry->name +
                             " cannot be filmed: its film shows none of the frames");
@@ -187,6 +193,7 @@ struct Pictures::Work {
     PictureOptions options;
     Film film;
     Overlays overlays;
+    InsetTrail trail;
     Pipe<RunFrame> frames{queueLength};
     Pipe<Drawn> pictures{queueLength};
     std::atomic<int> done{0}, atWork{2};
@@ -250,6 +257,8 @@ Picture Pictures::Work::drawn(Renderer& lens, int number, const RunFrame& frame,
 Picture Pictures::Work::finished(const Drawn& drawn) const {
     Picture picture = drawn.picture;
     if (!overlays.none()) drawLegend(picture, overlays.legend());
+    const double below = overlays.none() ? 0 : 100;
+    if (const auto inset = trail.at(drawn.frame.number)) drawInset(picture, *inset, below);
     if (!options.caption) return picture;
     const FrameRate rate = film.rate();
     const double shown = double(drawn.number - film.first() + 1) * rate.seconds / rate.frames;
@@ -299,6 +308,7 @@ Pictures::~Pictures() = default;
 
 void Pictures::add(RunFrame frame) {
     work_->rethrow();
+    work_->trail.add(frame);
     const PictureOptions& options = work_->options;
     const int needed = options.first - (options.subframes > 1 ? 1 : 0);
     if (frame.number < needed || frame.number > options.last) return;

@@ -6,24 +6,7 @@
 namespace plait {
 namespace {
 
-// What of a line lies in the box.
-std::vector<std::vector<PagePoint>> clipped(std::span<const PagePoint> points, const PageBox& box) {
-    std::vector<std::vector<PagePoint>> result;
-    bool goesOn = false;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        const PagePoint a = points[i], b = points[i + 1];
-        if (a.x == b.x && a.y == b.y) continue;  // a join without a direction
-        const auto [first, last] = inside(a, b, box);
-        if (first < last) {
-            if (!goesOn || first > 0) result.push_back({between(a, b, first)});
-            result.back().push_back(between(a, b, last));
-        }
-        goesOn = first < last && last == 1;
-    }
-    return result;
-}
-
-// The same of an area, side by side (Sutherland and Hodgman 1974).
+// What of an area lies in the box, side by side (Sutherland and Hodgman 1974).
 std::vector<PagePoint> clippedArea(std::vector<PagePoint> points, const PageBox& box) {
     const auto cut = [&](auto distance) {
         std::vector<PagePoint> kept;
@@ -108,6 +91,22 @@ std::pair<double, double> inside(PagePoint a, PagePoint b, const PageBox& box) {
     keep(a.y - box.top, b.y - a.y);
     keep(box.bottom - a.y, a.y - b.y);
     return {first, last};
+}
+
+std::vector<std::vector<PagePoint>> clipped(std::span<const PagePoint> points, const PageBox& box) {
+    std::vector<std::vector<PagePoint>> result;
+    bool goesOn = false;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const PagePoint a = points[i], b = points[i + 1];
+        if (a.x == b.x && a.y == b.y) continue;  // a join without a direction
+        const auto [first, last] = inside(a, b, box);
+        if (first < last) {
+            if (!goesOn || first > 0) result.push_back({between(a, b, first)});
+            result.back().push_back(between(a, b, last));
+        }
+        goesOn = first < last && last == 1;
+    }
+    return result;
 }
 
 void addCurves(Drawing& drawing, const Chart& chart, const Plot& plot, double size) {

@@ -63,5 +63,7 @@ PageBox boxOf(const Word& word);
 std::string drawingSvg(const Drawing& drawing);
 // `scale` pixels to a px.
 Picture drawingPicture(const Drawing& drawing, double scale);
+// Over a picture, from its pixel (x, y) on: all but the ground.
+void paintDrawing(Picture& picture, double x, double y, const Drawing& drawing, double scale);
 
 }  // namespace plait

@@ -148,9 +148,10 @@ Polygons outline(const Stroke& stroke) {
 
 struct Painter {
     Picture& picture;
+    PagePoint origin;  // pixels
     double scale;
 
-    PagePoint at(PagePoint p) const { return {p.x * scale, p.y * scale}; }
+    PagePoint at(PagePoint p) const { return {origin.x + p.x * scale, origin.y + p.y * scale}; }
 
     void operator()(Stroke stroke) const {
         if (stroke.points.size() < 2) return;
@@ -179,7 +180,8 @@ struct Painter {
     void operator()(const Word& word) const {
         TextStyle style = word.style;
         style.size *= scale;
-        drawText(picture, word.x * scale, word.baseline * scale, word.text, style);
+        const PagePoint p = at({word.x, word.baseline});
+        drawText(picture, p.x, p.y, word.text, style);
     }
 };
 
@@ -194,8 +196,12 @@ PageBox boxOf(const Word& word) {
 Picture drawingPicture(const Drawing& drawing, double scale) {
     Picture picture = filled(static_cast<int>(std::lround(drawing.width * scale)),
                              static_cast<int>(std::lround(drawing.height * scale)), drawing.ground);
-    for (const auto& item : drawing.items) std::visit(Painter{picture, scale}, item);
+    paintDrawing(picture, 0, 0, drawing, scale);
     return picture;
+}
+
+void paintDrawing(Picture& picture, double x, double y, const Drawing& drawing, double scale) {
+    for (const auto& item : drawing.items) std::visit(Painter{picture, {x, y}, scale}, item);
 }
 
 }  // namespace plait

@@ -43,6 +43,8 @@ bool contains(const PageBox& box, PagePoint p);  // its edge too
 // Of the segment the part within the box, as fractions; first > last: none.
 std::pair<double, double> inside(PagePoint a, PagePoint b, const PageBox& box);
 PagePoint between(PagePoint a, PagePoint b, double s);
+// What of a line lies in the box.
+std::vector<std::vector<PagePoint>> clipped(std::span<const PagePoint> points, const PageBox& box);
 
 // Names and samples of what the charts hold, each name once.
 struct LegendEntry {

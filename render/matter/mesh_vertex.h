@@ -18,7 +18,8 @@ struct MeshVertex {
     glm::vec3 tint{0};      // linear colour of an overlay, or its own
     float cavity = 0;       // bend towards the normal, 1/m: how hollow the front is; of a wire the
                             // part of the light from around that arrives
-    float satin = 0;        // 0 .. 1, how much of it skin wears; of a wire how much it covers
+    float satin = 0;        // 0 .. 1, how much of it skin wears; of a wire how much it covers; of
+                            // latex the factor by which its area has grown
 };
 
 // Describes the vertices in `buffer` to the vertex array that is bound.

@@ -145,6 +145,8 @@ void Skin::addSurface(const SimplicialComplex& complex, std::span<const Vec<doub
         triangles_ = subdivision_.triangles();
     }
     surfaceTriangles_ = static_cast<int>(triangles_.size());
+    if (material_ == Material::latex)
+        areaStretch_ = AreaStretch(coarse, rest.subspan(range_.first, range_.size()));
     layCloth(rest, coarse, look);
     paint(look);
 }
@@ -219,6 +221,7 @@ void Skin::updateSurface(bool tinted) {
         subdivision_.apply<glm::vec3>(coarse_, fine_);
         subdivision_.apply<glm::vec3>(coarseTints_, fineTints_);
     }
+    if (material_ == Material::latex) updateStretch();
     const auto& x = refined ? fine_ : coarse_;
     const auto& tints = refined ? fineTints_ : coarseTints_;
     for (int i = 0; i < surfaceVertices_; ++i)
@@ -249,6 +252,14 @@ void Skin::updateSurface(bool tinted) {
             a.cavity += bend;
             b.cavity += bend;
         }
+}
+
+void Skin::updateStretch() {
+    areaStretch_.measure(coarse_, coarseStretch_);
+    if (subdivision_.size() > 0)
+        subdivision_.apply<float>(coarseStretch_, satin_);
+    else
+        satin_ = coarseStretch_;
 }
 
 void Skin::updateCurves() {

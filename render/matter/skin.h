@@ -1,6 +1,7 @@
 // What is seen of an object: from its vertices in the world to triangles with normals, every frame.
 #pragma once
 
+#include "area_stretch.h"
 #include "mesh_vertex.h"
 #include "polyline.h"
 #include "scenes/view.h"
@@ -52,6 +53,7 @@ private:
     void layCloth(std::span<const Vec<double>> rest, std::span<const std::array<int, 3>> triangles,
                   const Look& look);
     void updateSurface(bool tinted);
+    void updateStretch();
     void addWire(std::span<const Vec<double>> rest, const Look& look, float pixel);
     void updateCurves();
     void updateWire(WireSkin& wire, std::span<const Vec<double>> positions, const Lens& lens);
@@ -68,7 +70,9 @@ private:
     int surfaceVertices_ = 0, surfaceTriangles_ = 0;
     std::vector<glm::vec2> uv_;  // m, of fine vertices
     std::vector<glm::vec3> colors_;
-    std::vector<float> satin_;
+    std::vector<float> satin_;  // of latex its stretch, from frame to frame
+    AreaStretch areaStretch_;
+    std::vector<float> coarseStretch_;
     std::vector<Polyline> curves_;
     std::optional<WireSkin> wire_;
     Range directors_;

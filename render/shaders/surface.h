@@ -39,6 +39,9 @@ centroid out vec3 vertexMirrored;
 #ifdef SKIN
 out float vertexSatin;
 #endif
+#ifdef LATEX
+out float vertexStretch;
+#endif
 #ifdef WIRE
 centroid out float vertexCover;  // of what lies behind
 #endif
@@ -61,6 +64,9 @@ void main() {
 #endif
 #ifdef SKIN
     vertexSatin = satin;
+#endif
+#ifdef LATEX
+    vertexStretch = satin;
 #endif
 #ifdef TULLE
     tulleLight(normalize(eye - p), normal, tangent, keyVisible(p, normal), frontDiffuse, frontShine);
