@@ -31,7 +31,7 @@ Principal principal(const Patch& patch, const Vec<double>& d1, const Vec<double>
                  l = squareRoot(x * x + y * y);
     p.cosine = l > 0 ? x / l : 1;
     p.sine = l > 0 ? y / l : 0;
-    const Vec<double> g1 = p.cosine * f1 + p.sine * f2, g2 = p.cosine * f2 - p.sine * f1;
+    const Vec<double> g1 = p.cosine * f1 + p.sine * f2;
     p.a = squareRoot(mean + r);
     const Vec<double> n = cross(f1, f2);
     const double area = length(n);

@@ -5,6 +5,7 @@
 
 #include "../constraints/rows.h"
 #include "../constraints/stretch.h"
+#include "../gas/enclosure.h"
 #include "../gas/gas.h"
 #include "../world.h"
 #include "rubber.h"
@@ -21,11 +22,9 @@ struct Membrane {
         Ogden law;
         bool relaxed = false;  // wrinkles in place of being pressed (Ogden::relaxedAt)
     };
-    // Gas within closed surfaces, which may be parts of several bodies; what closes an opening is
-    // among the triangles, and need be nobody's rubber.
     struct Filling {
-        std::vector<int> triangles;                // 3 vertices each, outward
-        Gas gas;                                   //
+        Enclosure enclosure;
+        Gas gas;
         std::function<double(double t)> amount{};  // J, n R T at t (s); none: the gas's own
     };
 

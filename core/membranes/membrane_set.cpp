@@ -40,9 +40,8 @@ MembraneSet<Real>::MembraneSet(const World& world, const Membrane& membrane)
     for (const Membrane::Filling& filling : membrane.gases) {
         Enclosed gas{{}, {}, {}, filling.gas, filling.amount, 0, 0, 0, {}};
         gas.from = gas.to = gas.gas.amount;
-        for (std::size_t n = 0; n < filling.triangles.size(); n += 3)
-            gas.triangles.push_back({local(filling.triangles[n]), local(filling.triangles[n + 1]),
-                                     local(filling.triangles[n + 2])});
+        for (const auto& t : filling.enclosure.triangles)
+            gas.triangles.push_back({local(t[0]), local(t[1]), local(t[2])});
         gases_.push_back(std::move(gas));
     }
     const std::size_t n = ids_.size();
@@ -135,7 +134,7 @@ void MembraneSet<Real>::project(const Sweep<Real>& sweep, Direction, Workers& wo
     system_->solve(right_, gases, iterations_, tolerance_, step_, workers);
     const double step = search(workers);
     conserve(step);
-    scatter(sweep, step, workers);
+    scatter(sweep, workers);
 }
 
 // Where the vertices are, from the first of them, and what their inertia is.
@@ -165,7 +164,7 @@ void MembraneSet<Real>::gather(const Sweep<Real>& sweep, Workers& workers) {
 // Forces and second derivatives where the vertices are, and what the step of Newton has to bring
 // to zero.
 template <class Real>
-double MembraneSet<Real>::evaluate(Workers& workers) {
+void MembraneSet<Real>::evaluate(Workers& workers) {
     const auto springs = static_cast<int>(springs_.size());
     workers.forBlocks(springs, blockSize, [&](int begin, int end) {
         for (int n = begin; n < end; ++n)
@@ -191,13 +190,12 @@ double MembraneSet<Real>::evaluate(Workers& workers) {
             right_[v] = f;
         }
     });
-    return 0;
 }
 
 // Volume and its gradient, of a closed surface the same from wherever it is measured.
 template <class Real>
 void MembraneSet<Real>::fill(Enclosed& gas, Workers& workers) {
-    gas.volume = volumeOf(gas, x_, workers);
+    gas.volume = volumeOf(gas, x_);
     workers.forBlocks(static_cast<int>(ids_.size()), blockSize, [&](int begin, int end) {
         for (int v = begin; v < end; ++v) {
             Vec<double> sum{0, 0, 0};
@@ -213,7 +211,7 @@ void MembraneSet<Real>::fill(Enclosed& gas, Workers& workers) {
 }
 
 template <class Real>
-double MembraneSet<Real>::volumeOf(const Enclosed& gas, std::span<const Four> x, Workers&) {
+double MembraneSet<Real>::volumeOf(const Enclosed& gas, std::span<const Four> x) const {
     double sum = 0;
     const int o = gas.triangles[0][0];
     for (const auto& t : gas.triangles)
@@ -243,7 +241,7 @@ double MembraneSet<Real>::energyAt(double step, Workers& workers) {
     });
     double energy = std::accumulate(energies_.begin(), energies_.end(), 0.0);
     for (const Enclosed& gas : gases_) {
-        const double volume = volumeOf(gas, trial_, workers);
+        const double volume = volumeOf(gas, trial_);
         if (!(volume > 0)) return INFINITY;
         energy += gas.gas.energy(volume) - gas.gas.energy(gas.volume);
     }
@@ -290,7 +288,7 @@ void MembraneSet<Real>::conserve(double step) {
             const Vec<double> r = three(x_[v] + step_[v]) - center;
             angular += mass_[v] * cross(r, three(kept_[v] + step_[v]));
             about += mass_[v] * dot(r, r);
-            spread.addOuter(-mass_[v], r, r);
+            spread.addOuter(-mass_[v], r);
         }
         spread += Symmetric<double>::diagonal(about);
         const Vec<double> back = (1 / mass) * momentum, turn = spread.solve(angular);
@@ -300,7 +298,7 @@ void MembraneSet<Real>::conserve(double step) {
 }
 
 template <class Real>
-void MembraneSet<Real>::scatter(const Sweep<Real>& sweep, double, Workers& workers) {
+void MembraneSet<Real>::scatter(const Sweep<Real>& sweep, Workers& workers) {
     workers.forBlocks(static_cast<int>(ids_.size()), blockSize, [&](int begin, int end) {
         for (int v = begin; v < end; ++v) {
             if (mass_[v] == 0) continue;
@@ -330,16 +328,8 @@ void holdMembrane(World& world, const Membrane& membrane, SetOptions options) {
             refuse("rubber has one thickness for all triangles, or one for each");
     }
     for (const Membrane::Filling& filling : membrane.gases) {
-        checkStencils(options.name, filling.triangles, 3, filling.triangles.size() / 3, {},
-                      world.start.size());
-        double volume = 0;
-        for (std::size_t n = 0; n < filling.triangles.size(); n += 3) {
-            const auto at = [&](std::size_t c) {
-                return world.start[filling.triangles[n + c]] - world.start[filling.triangles[0]];
-            };
-            volume += dot(at(0), cross(at(1), at(2))) / 6;
-        }
-        if (!(volume > 0)) refuse("what a gas is in has no volume, or is inside out");
+        if (!(volume(filling.enclosure, world.start) > 0))
+            refuse("what a gas is in has no volume, or is inside out");
     }
     const auto make = [membrane]<class Real>(const World& w,
                                              KernelChoice) -> std::unique_ptr<Constraint<Real>> {

@@ -47,13 +47,13 @@ private:
 
     int local(int vertex);
     void gather(const Sweep<Real>& sweep, Workers& workers);
-    double evaluate(Workers& workers);
+    void evaluate(Workers& workers);
     void fill(Enclosed& gas, Workers& workers);
-    double volumeOf(const Enclosed& gas, std::span<const Four> x, Workers& workers);
+    double volumeOf(const Enclosed& gas, std::span<const Four> x) const;
     double energyAt(double step, Workers& workers);
     double search(Workers& workers);
     void conserve(double step);
-    void scatter(const Sweep<Real>& sweep, double step, Workers& workers);
+    void scatter(const Sweep<Real>& sweep, Workers& workers);
     void findIslands();
 
     int iterations_;

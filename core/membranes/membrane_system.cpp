@@ -72,9 +72,9 @@ MembraneSystem::MembraneSystem(int vertices, std::span<const std::array<int, 2>>
     preconditioner_.resize(vertices);
 }
 
-double MembraneSystem::total(std::span<const double> parts) {
+double MembraneSystem::total(std::span<const double> sums) {
     double sum = 0;
-    for (const double part : parts) sum += part;
+    for (const double of : sums) sum += of;
     return sum;
 }
 

@@ -45,10 +45,10 @@ public:
     // body(v) of every vertex, as a sum over parts.
     template <class Body>
     double sum(Workers& workers, const Body& body) {
-        forParts(workers, [&](int part, int begin, int end) {
+        forParts(workers, [&](int at, int begin, int end) {
             double of = 0;
             for (int v = begin; v < end; ++v) of += body(v);
-            partial_[part] = of;
+            partial_[at] = of;
         });
         return total(partial_);
     }
@@ -71,7 +71,7 @@ private:
                 body(p, p * part, p + 1 < parts_ ? (p + 1) * part : vertices_);
         });
     }
-    static double total(std::span<const double> parts);
+    static double total(std::span<const double> sums);
     void multiply(std::span<const RankOne> gases, Workers& workers);
     void addRow(int v, std::span<const Block> springs,
                 std::span<const std::array<Block, 6>> patches);
