@@ -1,5 +1,6 @@
 #include "scene.h"
 
+#include "balloon/balloon.h"
 #include "basics/basics.h"
 #include "dress.h"
 #include "flag.h"
@@ -23,6 +24,21 @@ Knob mendingKnob(double percent) {
 
 std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a table
     static const std::vector<SceneEntry> all = {
+        {.name = "balloon",
+         .title = "Balloon",
+         .lesson = "The first breath is the hardest: rubber has most against being stretched by a "
+                   "third, and less and less until it is four times as long",
+         .ingredients = {"rubber", "gas", "bend", "contact", "friction", "gravity", "air"},
+         .omissions = {"the inertia of the air inside, and its weight, which the air outside "
+                       "carries but for a part in a hundred",
+                       "hysteresis: rubber that is stretched for the first time is stiffer"},
+         .demo = true,
+         .knobs = {{.name = "stretch",
+                    .meaning = "of the balloon when it is full",
+                    .value = 3.2,
+                    .low = 1.1,
+                    .high = 5}},
+         .build = balloon},
         {.name = "band",
          .title = "Band",
          .lesson = "Interleaving spares the ends of a band stretched over two pegs",

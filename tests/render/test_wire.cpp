@@ -13,12 +13,12 @@ using namespace plait::test;
 
 namespace {
 
-constexpr float pi = glm::pi<float>();
+constexpr float halfTurn = glm::pi<float>();
 
 std::vector<glm::vec3> ring(int n, float radius = 1) {
     std::vector<glm::vec3> points;
     for (int i = 0; i < n; ++i) {
-        const float a = 2 * pi * static_cast<float>(i) / static_cast<float>(n);
+        const float a = 2 * halfTurn * static_cast<float>(i) / static_cast<float>(n);
         points.push_back({radius * std::cos(a), 0, -radius * std::sin(a)});
     }
     return points;
@@ -35,7 +35,7 @@ std::vector<glm::vec3> line(int links, float length) {
 std::vector<glm::vec3> coil(int turns, int links, float radius, float pitch) {
     std::vector<glm::vec3> points;
     for (int i = 0; i <= turns * links; ++i) {
-        const float s = static_cast<float>(i) / static_cast<float>(links), a = 2 * pi * s;
+        const float s = static_cast<float>(i) / static_cast<float>(links), a = 2 * halfTurn * s;
         points.push_back({radius * std::cos(a), pitch * s, -radius * std::sin(a)});
     }
     return points;
@@ -93,7 +93,7 @@ Mesh drawn(const std::vector<glm::vec3>& points, const Section& section, const L
 
 TEST_CASE("a wire's path follows a circle to fourth order", "[render][wire]") {
     for (const int n : {12, 24}) {
-        const double turn = 2.0 * pi / n;
+        const double turn = 2.0 * halfTurn / n;
         float worst = 0, aslant = 0;
         for (const WirePoint& p : wirePath(ring(n), {}, true, 4)) {
             worst = std::max(worst, std::abs(glm::length(p.place) - 1));
@@ -113,7 +113,7 @@ TEST_CASE("a wire's path follows a circle to fourth order", "[render][wire]") {
 TEST_CASE("a wire's frame turns as its directors do", "[render][wire]") {
     // 100 degrees a link, for four turns and more: at the ends too, where no director is.
     const int links = 16;
-    const float rate = 100 * pi / 180;
+    const float rate = 100 * halfTurn / 180;
     const auto points = line(links, 2);
     std::vector<glm::vec3> arms;
     for (int e = 0; e < links; ++e) {
@@ -134,7 +134,7 @@ TEST_CASE("a wire's frame turns as its directors do", "[render][wire]") {
         const auto circle = ring(n);
         arms.clear();
         const auto wanted = [&](float link) {
-            const float at = 2 * pi * link / n, a = static_cast<float>(turns) * at;
+            const float at = 2 * halfTurn * link / n, a = static_cast<float>(turns) * at;
             return std::cos(a) * glm::vec3(std::cos(at), 0, -std::sin(at)) +
                    std::sin(a) * glm::vec3(0, -1, 0);
         };
@@ -151,7 +151,7 @@ TEST_CASE("without directors a wire's frame does not twist, and closes", "[rende
     std::vector<glm::vec3> knot;
     const int n = 60;
     for (int i = 0; i < n; ++i) {
-        const float a = 2 * pi * static_cast<float>(i) / n;
+        const float a = 2 * halfTurn * static_cast<float>(i) / n;
         knot.push_back({std::sin(a) + 2 * std::sin(2 * a), std::cos(a) - 2 * std::cos(2 * a),
                         -std::sin(3 * a)});
     }
@@ -170,7 +170,7 @@ TEST_CASE("without directors a wire's frame does not twist, and closes", "[rende
         sum += t;
     }
     CHECK(report("greatest less least twist a step, rad", most - least, 2e-3));
-    CHECK(std::abs(sum) < pi + 1e-3);
+    CHECK(std::abs(sum) < halfTurn + 1e-3);
     const auto open = wirePath(std::span(knot).first(40), {}, false, 4);
     for (std::size_t i = 1; i < open.size(); ++i)
         CHECK(std::abs(twist(open[i - 1], open[i])) < 1e-3);
@@ -184,14 +184,14 @@ TEST_CASE("a wire's mesh is closed, and as large as its section says", "[render]
     CHECK(sharp.volume() == Approx(a * b * length).epsilon(1e-5));
     // Round edges: two half circles of b and two flats. Inscribed, they are a little smaller.
     const Mesh round = swept(path, {.along = a, .across = b, .bevel = 1}, false);
-    const double outline = 2 * (a - b) + pi * b, inside = (a - b) * b + pi * b * b / 4;
+    const double outline = 2 * (a - b) + halfTurn * b, inside = (a - b) * b + halfTurn * b * b / 4;
     CHECK(round.area() == Approx(outline * length + 2 * inside).epsilon(0.01));
     CHECK(round.volume() == Approx(inside * length).epsilon(0.02));
     CHECK(round.volume() < inside * length);
 
     const Mesh torus = swept(wirePath(ring(24), {}, true, 4), {.along = 0.1}, true);
-    CHECK(torus.area() == Approx(4 * pi * pi * 0.05).epsilon(0.005));
-    CHECK(torus.volume() == Approx(2 * pi * pi * 0.05 * 0.05).epsilon(0.01));
+    CHECK(torus.area() == Approx(4 * halfTurn * halfTurn * 0.05).epsilon(0.005));
+    CHECK(torus.volume() == Approx(2 * halfTurn * halfTurn * 0.05 * 0.05).epsilon(0.01));
     float off = 0;
     for (const MeshVertex& v : torus.vertices) {
         const glm::vec3 in(v.position.x, 0, v.position.z), out = v.position - glm::normalize(in);
@@ -255,7 +255,7 @@ TEST_CASE("turns beside a point of a wire are found, and the wire itself is not"
     };
     for (const Beside& beside : besides(stations(line(50, 1)), 0.1f))
         CHECK((beside[0] == glm::vec3(0) && beside[1] == glm::vec3(0)));
-    for (const Beside& beside : besides(stations(ring(50), 2 * pi), 0.3f))
+    for (const Beside& beside : besides(stations(ring(50), 2 * halfTurn), 0.3f))
         CHECK((beside[0] == glm::vec3(0) && beside[1] == glm::vec3(0)));
     const auto found = besides(stations(coil(6, 48, 1, 0.05f)), 0.2f);
     float side = found[100][0].y > 0 ? 1.0f : -1.0f;
@@ -275,7 +275,7 @@ TEST_CASE("a stack is dark inside as a tube is", "[render][wire]") {
         stations.push_back({points[i],
                             {0, 0, -1},
                             {1, 0, 0},  // of those that are looked at
-                            static_cast<float>(i) * 2 * pi * radius / 24,
+                            static_cast<float>(i) * 2 * halfTurn * radius / 24,
                             0,
                             0});
     const auto open = opennessOf(stations, 1.56e-3f);

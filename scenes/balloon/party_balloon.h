@@ -1,0 +1,28 @@
+// A balloon as it comes out of the bag: a ball of rubber with a neck.
+#pragma once
+
+#include <plait/gas/enclosure.h>
+#include <plait/membranes/membrane.h>
+#include <plait/world.h>
+
+namespace plait {
+
+struct PartyBalloon {
+    double radius = 0.045;     // m, of the ball
+    double wall = 0.25e-3;     // m
+    double neck = 0.009;       // m, its radius
+    double neckLength = 0.03;  // m
+    double density = 920;      // kg/m^3
+
+    // Pa above the air's, of a sphere of this ball's volume, stretched so many times.
+    double pressure(double stretch) const;
+};
+
+// A ball at rest with its neck up and closed, the end of that at `top`.
+Range addBalloon(World& world, const PartyBalloon& balloon, int subdivisions,
+                 const Vec<double>& top);
+
+// J: n R T of the gas in it, stretched so many times, where `rest` is its volume (m^3) at rest.
+double amountFor(const PartyBalloon& balloon, double rest, double stretch);
+
+}  // namespace plait
