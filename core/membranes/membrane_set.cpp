@@ -56,7 +56,8 @@ MembraneSet<Real>::MembraneSet(const World& world, const Membrane& membrane)
             for (int c = 0; c < 3; ++c) gas.corners[next[gas.triangles[t][c]]++] = 3 * t + c;
         gas.gradient.resize(n);
     }
-    for (std::vector<Four>* array : {&x_, &trial_, &kept_, &step_, &right_}) array->resize(n);
+    for (std::vector<Four>* array : {&x_, &start_, &trial_, &kept_, &step_, &right_})
+        array->resize(n);
     mass_.resize(n);
     inertia_.resize(n);
     springForces_.resize(springs_.size());
@@ -147,6 +148,8 @@ void MembraneSet<Real>::gather(const Sweep<Real>& sweep, Workers& workers) {
         for (int v = begin; v < end; ++v) {
             const Real* const p = sweep.particles + 8L * ids_[v];
             x_[v] = four((three(p) - three(first)) + (three(p + 4) - three(first + 4)));
+            start_[v] = four((three(p) - three(first)) +
+                             (three(sweep.before + 4L * ids_[v]) - three(first + 4)));
             mass_[v] = p[3] > 0 ? 1 / double(p[3]) : 0;
             Block& m = inertia_[v] = {};
             if (p[3] == 0) continue;
@@ -267,33 +270,33 @@ double MembraneSet<Real>::search(Workers& workers) {
 }
 
 // The impulses of this set on what is free neither move it as a whole nor turn it: what early ends
-// of iterations left of that is taken back, as a rigid motion.
+// of iterations left of that is taken back, as a rigid motion. Torque counts about where vertices
+// stood when the substep began: with x1 = x0 + h v1 and v1 = v0 + w p, the sum of m x1 x v1 less
+// that of m x0 x v0 is the sum of x0 x p. Implicit Euler's own, about x1, would brake what spins.
 template <class Real>
 void MembraneSet<Real>::conserve(double step) {
     for (Four& moved : step_) moved = step * moved;
     if (heavy_) return;  // what the air takes is nobody's
     for (const std::vector<int>& island : islands_) {
         if (std::ranges::any_of(island, [&](int v) { return mass_[v] == 0; })) continue;
-        double mass = 0;
+        double mass = 0, about = 0;
         Vec<double> center{0, 0, 0}, momentum{0, 0, 0}, angular{0, 0, 0};
         for (const int v : island) {
             mass += mass_[v];
-            center += mass_[v] * three(x_[v] + step_[v]);
+            center += mass_[v] * three(start_[v]);
             momentum += mass_[v] * three(kept_[v] + step_[v]);
         }
         center = (1 / mass) * center;
         Symmetric<double> spread{};
-        double about = 0;
         for (const int v : island) {
-            const Vec<double> r = three(x_[v] + step_[v]) - center;
+            const Vec<double> r = three(start_[v]) - center;
             angular += mass_[v] * cross(r, three(kept_[v] + step_[v]));
             about += mass_[v] * dot(r, r);
             spread.addOuter(-mass_[v], r);
         }
         spread += Symmetric<double>::diagonal(about);
         const Vec<double> back = (1 / mass) * momentum, turn = spread.solve(angular);
-        for (const int v : island)
-            step_[v] -= four(back + cross(turn, three(x_[v] + step_[v]) - center));
+        for (const int v : island) step_[v] -= four(back + cross(turn, three(start_[v]) - center));
     }
 }
 

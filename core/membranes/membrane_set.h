@@ -69,8 +69,7 @@ private:
     std::vector<std::vector<int>> islands_;
     std::unique_ptr<MembraneSystem> system_;
 
-    Vec<double> origin_{0, 0, 0};  // m, of x_
-    std::vector<Four> x_, trial_, kept_, step_, right_;
+    std::vector<Four> x_, start_, trial_, kept_, step_, right_;
     std::vector<double> mass_;  // kg, 0: pinned
     std::vector<Block> inertia_, springBlocks_;
     std::vector<Vec<double>> springForces_;

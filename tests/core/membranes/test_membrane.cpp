@@ -1,6 +1,7 @@
 // Balloons solved at once with their gas, against spheres of springs and of rubber.
 #include "tests/catch.h"
 #include "tests/core/gas/gas_worlds.h"
+#include "tests/random.h"
 #include "tests/report.h"
 
 #include <plait/membranes/membrane.h>
@@ -45,6 +46,16 @@ struct Balloon {
         membrane.gases.push_back({enclosure, {.amount = to}, [from = air * volume, to](double t) {
                                       return from + (to - from) * std::min(1.0, t);
                                   }});
+    }
+
+    Vec<double> middle(const std::vector<Vec<double>>& x) const {
+        Vec<double> sum{};
+        double mass = 0;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            sum += world.mass[i] * x[i];
+            mass += world.mass[i];
+        }
+        return (1 / mass) * sum;
     }
 
     template <class Real>
@@ -178,28 +189,57 @@ TEMPLATE_TEST_CASE("membrane: free, it neither goes nor turns, however early ite
     Balloon balloon(3);
     balloon.blowUp(1.4);
     balloon.membrane.iterations = 3;
+    Random random(11);
+    for (Vec<double>& x : balloon.world.start) x += random.point(0.1 * radius);
+    const Vec<double> from = balloon.middle(balloon.world.start);
     auto solver = balloon.solver<TestType>();
     double momentum = 0, spin = 0;
     for (int frame = 0; frame < 200; ++frame) solver.frame();
     const auto x = positionsOf(solver);
-    Vec<double> middle{}, p{}, l{};
+    const Vec<double> middle = balloon.middle(x);
+    Vec<double> p{}, l{};
     double mass = 0, inertia = 0;
     for (int i = 0; i < std::ssize(x); ++i) {
         const double m = balloon.world.mass[i];
         const auto& v = solver.state().velocity[i].v;
         const Vec<double> rate{double(v.x), double(v.y), double(v.z)};
         mass += m;
-        middle += m * x[i];
         p += m * rate;
-        l += m * cross(x[i], rate);
-        inertia += 2.0 / 3 * m * dot(x[i], x[i]);
+        l += m * cross(x[i] - middle, rate);
+        inertia += 2.0 / 3 * m * dot(x[i] - middle, x[i] - middle);
     }
     momentum = length(p) / mass;
     spin = length(l) / inertia;
-    CHECK(report("free balloon: way of its middle / R", length(middle) / mass / radius,
+    CHECK(report("free balloon: way of its middle / R", length(middle - from) / radius,
                  single ? 1e-6 : 1e-12));
     CHECK(report("free balloon: speed, m/s", momentum, single ? 1e-7 : 1e-12));
     CHECK(report("free balloon: spin, rad/s", spin, single ? 1e-6 : 1e-10));
+}
+
+// However often it is evaluated in a substep, and whatever it did in the evaluations before.
+TEST_CASE("membrane: a substep is implicit Euler's", "[gas][membranes]") {
+    const double mass = 0.02, k = 300, rest = 0.1, longer = 0.03, h = 1.0 / 60;
+    World world;
+    const Range spring = world.add(chain({.links = 1, .to = {rest, 0, 0}}), {.density = 1});
+    for (double& m : world.mass) m = mass;
+    world.start[1].x = rest + longer;
+    Membrane membrane;
+    membrane.springs = restRows<Stretch>(edgeStencils(world.complex, spring), world.rest, 1 / k);
+    holdMembrane(world, membrane, {.name = "spring", .importance = 1});
+    SolverOptions options;
+    options.schedule = {.substeps = 1, .frameRate = {60, 1}, .iterations = 3};
+    Solver<double> solver(std::make_shared<const World>(world), options);
+    // Of the length less that at rest: e1 = (e0 + h v0) / (1 + 2 h^2 k / m).
+    double e = longer, v = 0, worst = 0;
+    for (int step = 0; step < 20; ++step) {
+        const double next = (e + h * v) / (1 + 2 * h * h * k / mass);
+        v = (next - e) / h;
+        e = next;
+        solver.frame();
+        const double now = length(solver.state().position(1) - solver.state().position(0)) - rest;
+        worst = std::max(worst, std::fabs(now - e) / longer);
+    }
+    CHECK(report("spring: off implicit Euler", worst, 1e-12));
 }
 
 TEST_CASE("membrane: the same bits for any number of threads, and after a stop",
