@@ -216,6 +216,48 @@ TEMPLATE_TEST_CASE("membrane: free, it neither goes nor turns, however early ite
     CHECK(report("free balloon: spin, rad/s", spin, single ? 1e-6 : 1e-10));
 }
 
+TEST_CASE("membrane: what spins goes on spinning", "[gas][membranes]") {
+    Balloon balloon(3);
+    balloon.blowUp(1.2);
+    const Vec<double> spin{0.5, 3, -1};
+    for (std::size_t i = 0; i < balloon.world.rest.size(); ++i)
+        balloon.world.velocity[i] = cross(spin, balloon.world.rest[i]);
+    World world = balloon.world;
+    holdMembrane(world, balloon.membrane, {.name = "skin", .importance = 1});
+    SolverOptions options;
+    options.schedule = {.substeps = 2, .frameRate = {60, 1}, .iterations = 1};
+    Solver<double> solver(std::make_shared<const World>(world), options);
+    const auto angular = [&] {
+        Vec<double> sum{};
+        for (int i = 0; i < solver.state().count(); ++i)
+            sum += world.mass[i] * cross(solver.state().position(i), solver.state().velocity[i].v);
+        return sum;
+    };
+    const Vec<double> before = angular();
+    for (int frame = 0; frame < 120; ++frame) solver.frame();
+    CHECK(report("spinning balloon: angular momentum, change of it",
+                 length(angular() - before) / length(before), 1e-10));
+}
+
+TEST_CASE("membrane: in 10,000 steps nothing turns and nothing drifts [AW15]",
+          "[gas][membranes][long]") {
+    Balloon balloon(3);
+    balloon.blowUp(1.2);
+    auto solver = balloon.solver<float>();
+    for (int step = 0; step < 10000; ++step) solver.frame();
+    const auto x = positionsOf(solver);
+    const Vec<double> middle = balloon.middle(x);
+    // How far the mean of rest x now says that it has turned, rad.
+    Vec<double> turn{};
+    double size = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        turn += cross(balloon.world.rest[i], x[i] - middle);
+        size += 2.0 / 3 * dot(balloon.world.rest[i], x[i] - middle);
+    }
+    CHECK(report("10,000 steps: turn, rad", length(turn) / size, 1e-3));
+    CHECK(report("10,000 steps: way / R", length(middle) / radius, 5e-4));
+}
+
 // However often it is evaluated in a substep, and whatever it did in the evaluations before.
 TEST_CASE("membrane: a substep is implicit Euler's", "[gas][membranes]") {
     const double mass = 0.02, k = 300, rest = 0.1, longer = 0.03, h = 1.0 / 60;
