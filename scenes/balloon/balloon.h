@@ -8,4 +8,7 @@ namespace plait {
 // A party balloon: limp, blown up, tied and dropped.
 Scene balloon(const Knobs& knobs);
 
+// Two of them, joined by a tube.
+Scene twoBalloons(const Knobs& knobs);
+
 }  // namespace plait
