@@ -92,7 +92,7 @@ double unround(const std::vector<Vec<double>>& x, Range ball) {
 }  // namespace
 
 TEST_CASE("membrane: a balloon of rubber has the pressure of its sphere [FX6]",
-          "[gas][membranes]") {
+          "[gas][membranes][figures]") {
     for (const double stretch : {1.2, 1.374, 3.0, 4.32}) {
         Balloon balloon(4);
         balloon.blowUp(stretch);
@@ -109,7 +109,8 @@ TEST_CASE("membrane: a balloon of rubber has the pressure of its sphere [FX6]",
     }
 }
 
-TEST_CASE("membrane: springs in a vacuum, at the work of others [AW13]", "[gas][membranes]") {
+TEST_CASE("membrane: springs in a vacuum, at the work of others [AW13]",
+          "[gas][membranes][figures]") {
     for (const double stretch : {1.05, 1.2, 1.5, 2.0, 3.0}) {
         World world;
         const Range ball = addBall(world, 1, 4, {}, 0.1 / (4 * M_PI));
@@ -155,7 +156,7 @@ TEST_CASE("membrane: what is steady runs past its greatest pressure", "[gas][mem
     CHECK(stretch > 4.32);
 }
 
-TEST_CASE("membrane: of two balloons joined, one blows up the other", "[gas][membranes]") {
+TEST_CASE("membrane: of two balloons joined, one blows up the other", "[gas][membranes][figures]") {
     Balloon balloon(3, 2);
     // Where both would be at 3; one begins a little larger.
     const double each = std::pow(3.0, 3), all = (air + rubberPressure(3)) * each * balloon.volume;
