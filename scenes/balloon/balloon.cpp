@@ -93,6 +93,8 @@ Scene balloon(const Knobs& knobs) {
              [=](const Snapshot& at) {
                  return (amount(at.time) / volumeOf(enclosure, at) - air) / 1000;
              },
+         .low = -0.3,
+         .high = 3.5,  // a sphere has 3.05 at most
          .caption = true},
         {.name = "stretch",
          .unit = "",
