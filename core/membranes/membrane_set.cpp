@@ -128,10 +128,10 @@ void MembraneSet<Real>::project(const Sweep<Real>& sweep, Direction, Workers& wo
     gather(sweep, workers);
     evaluate(workers);
     system_->assemble(inertia_, springBlocks_, patchBlocks_, workers);
-    std::vector<MembraneSystem::RankOne> gases;
+    terms_.clear();
     for (const Enclosed& gas : gases_)
-        gases.push_back({gas.gas.stiffness(gas.volume), gas.gradient});
-    system_->solve(right_, gases, iterations_, tolerance_, step_, workers);
+        terms_.push_back({gas.gas.stiffness(gas.volume), gas.gradient});
+    system_->solve(right_, terms_, iterations_, tolerance_, step_, workers);
     const double step = search(workers);
     conserve(step);
     scatter(sweep, workers);

@@ -66,6 +66,7 @@ private:
     std::vector<Sheet> patches_;
     std::vector<Law> laws_;
     std::vector<Enclosed> gases_;
+    std::vector<MembraneSystem::RankOne> terms_;  // of the gases, in the matrix
     std::vector<std::vector<int>> islands_;
     std::unique_ptr<MembraneSystem> system_;
 

@@ -165,15 +165,15 @@ int MembraneSystem::solve(std::span<const Four> b, std::span<const RankOne> gase
     });
     double rz = total(partial_);
     const double enough = tolerance * tolerance * rz;
-    std::vector<double> pull(gases.size());
+    pull_.resize(gases.size());
     int taken = 0;
     while (taken < iterations && rz > enough) {
         multiply(gases, workers);
         double curvature = total(curvature_);
         for (std::size_t g = 0; g < gases.size(); ++g) {
             const double along = total(std::span(along_).subspan(g * parts_, parts_));
-            pull[g] = gases[g].s * along;
-            curvature += pull[g] * along;
+            pull_[g] = gases[g].s * along;
+            curvature += pull_[g] * along;
         }
         if (!(curvature > 0)) break;
         const double step = rz / curvature;
@@ -182,7 +182,7 @@ int MembraneSystem::solve(std::span<const Four> b, std::span<const RankOne> gase
             for (int v = begin; v < end; ++v) {
                 Four product = product_[v];
                 // What does not move takes no part in a gas.
-                for (std::size_t g = 0; g < gases.size(); ++g) product += pull[g] * gases[g].g[v];
+                for (std::size_t g = 0; g < gases.size(); ++g) product += pull_[g] * gases[g].g[v];
                 x[v] += step * p_[v];
                 r_[v] -= step * product;
                 z_[v] = times(preconditioner_[v].column, r_[v]);

@@ -82,7 +82,7 @@ private:
     std::vector<int> springStart_, patchStart_;
     std::vector<Corner> springCorners_, patchCorners_;
     std::vector<Four> r_, z_, p_, product_;
-    std::vector<double> partial_, curvature_, along_;  // along: by gas, by part
+    std::vector<double> partial_, curvature_, along_, pull_;  // along: by gas, by part
 };
 
 }  // namespace plait

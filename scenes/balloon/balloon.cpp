@@ -67,7 +67,7 @@ Scene balloon(const Knobs& knobs) {
     world.act<Gravity>(GravityOptions{});
     actAir(world, {.density = 1.2, .drag = 1, .objects = {skin}});
     Membrane membrane;
-    membrane.rubber.push_back({{}, {party.wall}, treloarRubber()});
+    membrane.rubber.push_back({{}, {party.wall}, party.rubber});
     for (const auto& t : enclosure.triangles)
         membrane.rubber[0].triangles.insert(membrane.rubber[0].triangles.end(), t.begin(), t.end());
     const auto amount = [=](double t) { return amountAt(party, rest, stretch, t); };

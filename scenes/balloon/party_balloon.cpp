@@ -44,7 +44,7 @@ Profile profileOf(const PartyBalloon& balloon) {
 }  // namespace
 
 double PartyBalloon::pressure(double stretch) const {
-    const PrincipalEnergy e = treloarRubber().at(stretch, stretch);
+    const PrincipalEnergy e = rubber.at(stretch, stretch);
     return wall * (e.a + e.b) / (radius * stretch * stretch);
 }
 

@@ -13,6 +13,7 @@ struct PartyBalloon {
     double neck = 0.009;       // m, its radius
     double neckLength = 0.03;  // m
     double density = 920;      // kg/m^3
+    Ogden rubber = treloarRubber();
 
     // Pa above the air's, of a sphere of this ball's volume, stretched so many times.
     double pressure(double stretch) const;

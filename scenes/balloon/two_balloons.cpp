@@ -59,7 +59,7 @@ Scene twoBalloons(const Knobs& knobs) {
         each[b] = enclose(world, {skins[b]});
         // The second is as much thicker as balloons are unlike each other.
         membrane.rubber.push_back(
-            {{}, {party.wall * (b ? 1 + knobs.number("thicker") : 1)}, treloarRubber()});
+            {{}, {party.wall * (b ? 1 + knobs.number("thicker") : 1)}, party.rubber});
         for (const auto& t : each[b].triangles)
             membrane.rubber[b].triangles.insert(membrane.rubber[b].triangles.end(), t.begin(),
                                                 t.end());
