@@ -3,9 +3,8 @@
 //   arity                    how many vertices it joins
 //   Row<T>                   its parameters, members of type T only
 //   evaluate(row, x, g)      C(x) and its gradient. x is relative to the first vertex, or, where
-//   the
-//                            kind is anchored, to origin(row); so no digits go to where the scene
-//                            stands. What joins vertices to nothing else is not anchored
+//                            the kind is anchored, to origin(row); so no digits go to where the
+//                            scene stands. What joins vertices to nothing else is not anchored
 //   compliance(row, s)       inverse stiffness, given the sign of s: the value C would have without
 //                            this constraint. `slack` means that the constraint does not act there
 //   rest(x)                  the row for which x is the rest shape

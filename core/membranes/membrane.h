@@ -22,6 +22,7 @@ struct Membrane {
         Ogden law;
         bool relaxed = false;  // wrinkles in place of being pressed (Ogden::relaxedAt)
     };
+    // Gas in a closed surface, which may be parts of several bodies, with caps that are no rubber.
     struct Filling {
         Enclosure enclosure;
         Gas gas;
