@@ -27,7 +27,5 @@ template <class Kind>
 inline constexpr bool anchored =
     requires(const typename Kind::template Row<double>& row) { Kind::origin(row); };
 
-inline constexpr double pi = 3.14159265358979323846;
-
 }  // namespace PLAIT_ISA
 }  // namespace plait

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace plait {
 namespace {
@@ -46,7 +45,6 @@ std::array<AirSkin<Real>, 2> skinsOf(const RestFacets& facets, int vertices, dou
 
 void actAir(World& world, const AirOptions& options) {
     validate(options);
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     const double thinPlate = 6.2831853071795865;
     const bool legacy = options.form == AirForm::legacy;
     world.warnOutside("air density", options.density, 0, infinity);

@@ -57,5 +57,9 @@ struct AirTable {
 // Throws std::invalid_argument if `choice` is not available.
 template <class Real>
 const AirTable<Real>& airKernels(KernelChoice choice);
+template <>
+const AirTable<float>& airKernels<float>(KernelChoice choice);
+template <>
+const AirTable<double>& airKernels<double>(KernelChoice choice);
 
 }  // namespace plait

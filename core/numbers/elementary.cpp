@@ -9,7 +9,6 @@
 namespace plait {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double smallestNormal = std::numeric_limits<double>::min();
 

@@ -21,6 +21,8 @@ struct Lanes {
 template <class T>
 using Scalar = typename Lanes<T>::Scalar;
 
+inline constexpr double pi = 3.14159265358979323846, infinity = __builtin_inf();
+
 inline float squareRoot(float a) { return __builtin_sqrtf(a); }
 inline double squareRoot(double a) { return __builtin_sqrt(a); }
 

@@ -90,6 +90,10 @@ struct ChainTable {
 // Throws std::invalid_argument if `choice` is not available.
 template <class Real>
 const ChainTable<Real>& chainKernels(KernelChoice choice);
+template <>
+const ChainTable<float>& chainKernels<float>(KernelChoice choice);
+template <>
+const ChainTable<double>& chainKernels<double>(KernelChoice choice);
 // Of the kind at this place of the list in chain_kinds.h.
 const ChainRowsTable& chainRowsKernels(KernelChoice choice, int kind);
 

@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <sstream>
 
 namespace plait {
@@ -75,7 +74,6 @@ std::vector<MetricRow> rowsFrom(const std::string& csv, const std::vector<Metric
 }
 
 Verdict verdictOn(const Metric& metric, std::size_t column, const std::vector<MetricRow>& rows) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     Verdict verdict{infinity, -infinity, 0, -1};
     for (const MetricRow& row : rows) {
         if (row.time < metric.from) continue;

@@ -14,7 +14,7 @@ struct Format {
     const char* magic;  // 8 characters
     std::uint32_t version;
 };
-constexpr Format frames{"plaitfrm", 1}, checkpoints{"plaitchk", 4};
+constexpr Format frameFormat{"plaitfrm", 1}, checkpointFormat{"plaitchk", 4};
 
 class Writer {
 public:
@@ -105,7 +105,7 @@ std::vector<Vec<double>> getVectors(Reader& reader, int count) {
 }  // namespace
 
 std::string encodeFrame(const RunFrame& frame, int size) {
-    Writer writer(frames, static_cast<std::size_t>(size));
+    Writer writer(frameFormat, static_cast<std::size_t>(size));
     for (const std::size_t n : {static_cast<std::size_t>(frame.number), frame.positions.size(),
                                 frame.metrics.size(), std::size_t{0}})
         writer.put(static_cast<std::int32_t>(n));
@@ -121,7 +121,7 @@ std::string encodeFrame(const RunFrame& frame, int size) {
 }
 
 RunFrame decodeFrame(const std::string& bytes, const std::string& name) {
-    Reader reader(bytes, frames, name);
+    Reader reader(bytes, frameFormat, name);
     RunFrame frame;
     frame.number = reader.get<std::int32_t>();
     const int vertices = reader.get<std::int32_t>(), metrics = reader.get<std::int32_t>();
@@ -140,7 +140,7 @@ RunFrame decodeFrame(const std::string& bytes, const std::string& name) {
 template <class Real>
 std::string encodeCheckpoint(const Checkpoint<Real>& checkpoint) {
     const State<Real>& state = checkpoint.state;
-    Writer writer(checkpoints, sizeof(Real));
+    Writer writer(checkpointFormat, sizeof(Real));
     writer.put(static_cast<std::int32_t>(checkpoint.frame));
     writer.put(static_cast<std::int64_t>(state.substep));
     writer.put(static_cast<std::int64_t>(checkpoint.evaluations));
@@ -161,7 +161,7 @@ std::string encodeCheckpoint(const Checkpoint<Real>& checkpoint) {
 
 template <class Real>
 Checkpoint<Real> decodeCheckpoint(const std::string& bytes, const std::string& name) {
-    Reader reader(bytes, checkpoints, name);
+    Reader reader(bytes, checkpointFormat, name);
     if (reader.numberSize != sizeof(Real)) reader.fail("of another precision");
     Checkpoint<Real> checkpoint;
     State<Real>& state = checkpoint.state;

@@ -23,8 +23,8 @@ std::vector<std::array<int, 3>> trianglesOf(const World& world) {
     return triangles;
 }
 
-constexpr int substeps = 40;                  // in 1/24 s
-constexpr double step = 1.0 / 24 / substeps;  // s
+constexpr int flightSubsteps = 40;                  // in 1/24 s
+constexpr double step = 1.0 / 24 / flightSubsteps;  // s
 
 struct Target {
     Detection detection;
@@ -58,7 +58,7 @@ Outcome shoot(const Target& target, double thickness, double speed) {
           {.vertices = shot, .thickness = thickness, .self = Self::none}},
          {.detection = target.detection, .order = 1});
     Solver<double> solver(
-        world, {.schedule = {.substeps = substeps, .iterations = 4, .collisionPasses = 4}});
+        world, {.schedule = {.substeps = flightSubsteps, .iterations = 4, .collisionPasses = 4}});
     std::vector<std::array<int, 2>> ways;
     for (int i = 0; i < bullets; ++i) ways.push_back({shot.first + i, shot.last + i});
     const std::vector<std::array<int, 3>> triangles = trianglesOf(world);

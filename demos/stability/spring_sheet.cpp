@@ -11,7 +11,7 @@
 namespace plait {
 namespace {
 
-constexpr double density = 0.02, swing = 1, seed = 1e-6;
+constexpr double density = 0.02, speedBelow = 1, seed = 1e-6;
 constexpr int powerIterations = 1000;
 
 }  // namespace
@@ -32,7 +32,7 @@ SpringSheet::SpringSheet(int side, double stiffness) : stiffness_(stiffness) {
     const Vectors mode = fastestMode();
     double modeEnergy = 0;
     for (std::size_t i = 0; i < mode.size(); ++i) {
-        world_.velocity[i] = {0, 0, swing * (1 - world_.rest[i].y)};
+        world_.velocity[i] = {0, 0, speedBelow * (1 - world_.rest[i].y)};
         modeEnergy += world_.mass[i] * dot(mode[i], mode[i]) / 2;
     }
     const double speed = std::sqrt(seed * energy(world_.rest, world_.velocity) / modeEnergy);

@@ -71,19 +71,6 @@ StudyPoint pointOf(const std::string& curve, const std::vector<const StudyRow*>&
     return point;
 }
 
-constexpr double none = std::numeric_limits<double>::infinity();
-
-// Points of a curve that count, by work.
-std::vector<const StudyPoint*> along(const std::vector<StudyPoint>& points,
-                                     const std::string& curve) {
-    std::vector<const StudyPoint*> found;
-    for (const StudyPoint& point : points)
-        if (point.curve == curve && !point.omitted() && !point.failed()) found.push_back(&point);
-    std::sort(found.begin(), found.end(),
-              [](const auto* a, const auto* b) { return a->evaluations < b->evaluations; });
-    return found;
-}
-
 const StudyPoint* defaultOf(const std::vector<StudyPoint>& points) {
     for (const StudyPoint& point : points)
         if (point.isDefault && !point.omitted() && !point.failed()) return &point;
@@ -100,7 +87,7 @@ double workToReach(double error, const std::vector<const StudyPoint*>& rising) {
             std::log(before.errors[0] / error) / std::log(before.errors[0] / after.errors[0]);
         return before.evaluations * std::pow(after.evaluations / before.evaluations, part);
     }
-    return none;
+    return infinity;
 }
 
 template <class... Values>
@@ -111,6 +98,16 @@ std::string line(const char* format, Values... values) {
 }
 
 }  // namespace
+
+std::vector<const StudyPoint*> along(const std::vector<StudyPoint>& points,
+                                     const std::string& curve) {
+    std::vector<const StudyPoint*> found;
+    for (const StudyPoint& point : points)
+        if (point.curve == curve && !point.omitted() && !point.failed()) found.push_back(&point);
+    std::sort(found.begin(), found.end(),
+              [](const auto* a, const auto* b) { return a->evaluations < b->evaluations; });
+    return found;
+}
 
 std::string csvOf(const Study& study, const std::vector<StudyRow>& rows) {
     std::string csv = join(columnsOf(study));

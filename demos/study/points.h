@@ -50,6 +50,10 @@ std::vector<StudyPoint> pointsOf(const Study& study, const std::vector<StudyRow>
 // "bdf2, 16 x 1, double": what tells a point from the others of its curve.
 std::string nameOf(const StudyPoint& point);
 
+// Those of a curve that count, by work.
+std::vector<const StudyPoint*> along(const std::vector<StudyPoint>& points,
+                                     const std::string& curve);
+
 // Work of the default over the least that reaches its error, by any curve that has no flaw: at most
 // 1 on the front. Between two points a curve is straight, in logarithms of both. 0 if the study has
 // no default that ran.

@@ -59,7 +59,7 @@ Strain strainOf(const Solver<Real>& solver, const World& world) {
 }
 
 // s of a frame: by the clock, and of the thread alone, which others on its core do not lengthen.
-struct Cost {
+struct Spent {
     double seconds, cpu;
 };
 
@@ -79,7 +79,7 @@ public:
         recording.startEnergy = energy(strainOf(solver_, run_.scene.world).stored);
         try {
             for (int f = 1; f <= run_.frames(); ++f) {
-                const Cost cost = advance();
+                const Spent cost = advance();
                 recording.seconds += cost.seconds;
                 recording.cpu += cost.cpu;
                 note(recording, f);
@@ -103,7 +103,7 @@ public:
             solver_.rewind();
             times.push_back(0), cpuTimes.push_back(0);
             for (int f = 1; f <= run_.frames(); ++f) {
-                const Cost cost = advance();
+                const Spent cost = advance();
                 times.back() += cost.seconds;
                 cpuTimes.back() += cost.cpu;
             }
@@ -120,7 +120,7 @@ private:
         return {run.scene.world, options};
     }
 
-    Cost advance() {
+    Spent advance() {
         using Clock = std::chrono::steady_clock;
         const double cpu = threadTime();
         const auto start = Clock::now();

@@ -5,31 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace plait {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::infinity();
-
 std::string figure(double value) {
-    if (value == none) return "-";
+    if (value == infinity) return "-";
     char word[32];
     std::snprintf(word, sizeof word, "%.2g", value);
     return word;
 }
 
-// Points that count, of one curve.
-std::vector<const StudyPoint*> along(const std::vector<StudyPoint>& points,
-                                     const std::string& curve) {
-    std::vector<const StudyPoint*> found;
-    for (const StudyPoint& point : points)
-        if (point.curve == curve && !point.omitted() && !point.failed()) found.push_back(&point);
-    return found;
-}
-
 struct Span {
-    double low = none, high = 0;
+    double low = infinity, high = 0;
     void add(double value) {
         low = std::min(low, value);
         high = std::max(high, value);
@@ -53,7 +41,7 @@ Table equalCost(const Study& study, const std::vector<StudyPoint>& points, doubl
     for (const StudyCurve& curve : study.curves) {
         table.push_back({curve.name});
         for (const double budget : budgets) {
-            double least = none;
+            double least = infinity;
             for (const StudyPoint* point : along(points, curve.name))
                 if (frameCost(*point, seconds) <= budget) least = std::min(least, point->errors[0]);
             table.back().push_back(figure(least));
@@ -74,13 +62,13 @@ Table equalError(const Study& study, const std::vector<StudyPoint>& points, doub
     for (const StudyCurve& curve : study.curves) {
         table.push_back({curve.name});
         for (const double level : levels) {
-            double time = none, work = none;
+            double time = infinity, work = infinity;
             for (const StudyPoint* point : along(points, curve.name)) {
                 if (point->errors[0] > level) continue;
                 time = std::min(time, frameCost(*point, seconds));
                 work = std::min(work, point->evaluations / seconds);
             }
-            table.back().push_back(time == none ? "-" : figure(time) + ", " + figure(work));
+            table.back().push_back(time == infinity ? "-" : figure(time) + ", " + figure(work));
         }
     }
     return table;

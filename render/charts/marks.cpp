@@ -58,12 +58,12 @@ void addCross(Drawing& drawing, PagePoint c, Color color, bool upright, double r
 }
 
 // A marker's corners on a circle, the first straight up but for `turn` of the angle between two.
-struct Polygon {
+struct Regular {
     int corners;
     double reach, turn;
 };
 
-Polygon polygonOf(Marker marker) {
+Regular polygonOf(Marker marker) {
     switch (marker) {
         case Marker::square:
             return {4, 1.25, 0.5};
@@ -87,7 +87,7 @@ void addMarker(Drawing& drawing, PagePoint c, const CurveStyle& style, double r)
             drawing.items.emplace_back(Disc{c, radius - rim / 2, filling});
             return;
         }
-        const Polygon polygon = polygonOf(style.marker);
+        const Regular polygon = polygonOf(style.marker);
         std::vector<PagePoint> points;
         for (int i = 0; i < polygon.corners; ++i) {
             const double angle = 2 * std::numbers::pi * (i + polygon.turn) / polygon.corners;

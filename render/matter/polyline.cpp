@@ -1,5 +1,7 @@
 #include "polyline.h"
 
+#include "directions.h"
+
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
@@ -7,7 +9,7 @@
 namespace plait {
 namespace {
 
-constexpr int sides = 12, stepsPerLink = 4;
+constexpr int ringSides = 12, stepsPerLink = 4;
 
 glm::vec3 catmullRom(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d,
                      float s) {
@@ -38,17 +40,7 @@ Curve refine(std::span<const glm::vec3> points, std::span<const glm::vec3> tints
     return curve;
 }
 
-glm::vec3 anyNormal(const glm::vec3& t) {
-    const glm::vec3 axis = std::abs(t.y) < 0.9f ? glm::vec3{0, 1, 0} : glm::vec3{1, 0, 0};
-    return glm::normalize(axis - t * glm::dot(axis, t));
-}
-
-glm::vec3 unit(const glm::vec3& v, const glm::vec3& otherwise) {
-    const float l = glm::length(v);
-    return l > 1e-12f ? v / l : otherwise;
-}
-
-// Rings of `sides` vertices; consecutive ones are joined by the caller's `join`.
+// Rings of `ringSides` vertices; consecutive ones are joined by the caller's `join`.
 class TubeBuilder {
 public:
     TubeBuilder(std::vector<MeshVertex>& vertices, std::vector<std::array<int, 3>>& triangles)
@@ -58,8 +50,8 @@ public:
     void ring(const glm::vec3& center, const glm::vec3& tangent, const glm::vec3& normal,
               float radius, float lean, const glm::vec3& tint) {
         const glm::vec3 binormal = glm::cross(tangent, normal);
-        for (int k = 0; k < sides; ++k) {
-            const float a = glm::two_pi<float>() * static_cast<float>(k) / sides;
+        for (int k = 0; k < ringSides; ++k) {
+            const float a = glm::two_pi<float>() * static_cast<float>(k) / ringSides;
             const glm::vec3 out = std::cos(a) * normal + std::sin(a) * binormal;
             vertices_.push_back(
                 {.position = center + radius * out,
@@ -74,10 +66,10 @@ public:
 
 private:
     void join(int a, int b) {
-        for (int k = 0; k < sides; ++k) {
-            const int next = (k + 1) % sides;
-            const int a0 = first_ + a * sides + k, a1 = first_ + a * sides + next;
-            const int b0 = first_ + b * sides + k, b1 = first_ + b * sides + next;
+        for (int k = 0; k < ringSides; ++k) {
+            const int next = (k + 1) % ringSides;
+            const int a0 = first_ + a * ringSides + k, a1 = first_ + a * ringSides + next;
+            const int b0 = first_ + b * ringSides + k, b1 = first_ + b * ringSides + next;
             triangles_.push_back({a0, a1, b1});
             triangles_.push_back({a0, b1, b0});
         }
@@ -137,8 +129,8 @@ void appendTube(std::span<const glm::vec3> points, std::span<const glm::vec3> ti
         const glm::vec3 behind = p[closed ? (i + n - 1) % n : std::max(i - 1, 0)];
         tangent = unit(ahead - behind, tangent);
         // The frame is carried along without a twist.
-        normal = i == 0 ? anyNormal(tangent)
-                        : unit(normal - tangent * glm::dot(normal, tangent), anyNormal(tangent));
+        normal = i == 0 ? anyAcross(tangent)
+                        : unit(normal - tangent * glm::dot(normal, tangent), anyAcross(tangent));
         const auto cap = [&](float lean) {
             tube.ring(p[i] + lean * radius * tangent, tangent, normal,
                       radius * std::sqrt(1 - lean * lean), lean, curve.tints[i]);

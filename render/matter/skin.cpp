@@ -1,5 +1,7 @@
 #include "skin.h"
 
+#include "directions.h"
+
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
@@ -16,10 +18,7 @@ glm::vec3 toGlm(const Vec<double>& v) {
 
 glm::vec3 toGlm(const std::array<double, 3>& v) { return toGlm(Vec<double>{v[0], v[1], v[2]}); }
 
-glm::vec3 unit(const glm::vec3& v) {
-    const float l = glm::length(v);
-    return l > 1e-20f ? v / l : glm::vec3{0, 1, 0};
-}
+constexpr glm::vec3 up{0, 1, 0};  // where a direction vanishes
 
 bool inside(std::span<const int> vertices, Range range) {
     return std::ranges::all_of(vertices, [&](int v) { return range.first <= v && v < range.last; });
@@ -120,10 +119,10 @@ Skin::Skin(const Prop& prop) : material_(prop.material), color_(toGlm(prop.color
         for (const int v : triangles[i]) {
             glm::vec3 normal{0};
             for (const int other : around[v])
-                if (glm::dot(unit(normals[other]), unit(normals[i])) > 0.766f)
+                if (glm::dot(unit(normals[other], up), unit(normals[i], up)) > 0.766f)
                     normal += normals[other];
             vertices_.push_back(
-                {.position = toGlm(x[v]), .normal = unit(normal), .tangent = {0, 1, 0}});
+                {.position = toGlm(x[v]), .normal = unit(normal, up), .tangent = {0, 1, 0}});
         }
     }
 }
@@ -240,8 +239,8 @@ void Skin::updateSurface(bool tinted) {
         }
     }
     for (auto& v : vertices_) {
-        v.normal = unit(v.normal);
-        v.tangent = unit(v.tangent - v.normal * glm::dot(v.normal, v.tangent));
+        v.normal = unit(v.normal, up);
+        v.tangent = unit(v.tangent - v.normal * glm::dot(v.normal, v.tangent), up);
     }
     // Bend of the surface towards the normal: dn.dx / dx.dx, averaged over the edges at a vertex.
     for (const auto& t : triangles_)
@@ -278,7 +277,7 @@ void Skin::updateCurves() {
         const int first = static_cast<int>(vertices_.size());
         for (const auto& p : ball_.positions)
             vertices_.push_back({.position = coarse_[v] + toGlm(p),
-                                 .normal = unit(toGlm(p)),
+                                 .normal = unit(toGlm(p), up),
                                  .tangent = {0, 1, 0},
                                  .tint = coarseTints_[v]});
         for (int i = 0; i < ball_.complex.count(2); ++i) {

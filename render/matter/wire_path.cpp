@@ -1,5 +1,7 @@
 #include "wire_path.h"
 
+#include "directions.h"
+
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
@@ -9,16 +11,6 @@ namespace plait {
 namespace {
 
 constexpr float tiny = 1e-20f;  // m^2
-
-glm::vec3 unit(const glm::vec3& v, const glm::vec3& otherwise) {
-    const float l = glm::length(v);
-    return l > 1e-12f ? v / l : otherwise;
-}
-
-glm::vec3 anyAcross(const glm::vec3& t) {
-    const glm::vec3 axis = std::abs(t.y) < 0.9f ? glm::vec3{0, 1, 0} : glm::vec3{1, 0, 0};
-    return glm::normalize(axis - t * glm::dot(axis, t));
-}
 
 // Mirrors once in the plane between two points and once in that between their tangents: the frame
 // that turns least (Wang et al., Computation of Rotation Minimizing Frames, 2008).

@@ -10,7 +10,7 @@ namespace plait {
 namespace {
 
 using std::numbers::pi;
-using Color = std::array<double, 3>;
+using Channels = std::array<double, 3>;
 using Plane = std::vector<double>;
 using Planes = std::array<Plane, 3>;
 
@@ -19,13 +19,13 @@ constexpr double toXyz[3][3] = {
     {10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
     {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
     {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}};
-constexpr Color white{0.950428545, 1, 1.088900371};
+constexpr Channels white{0.950428545, 1, 1.088900371};
 constexpr double fromXyz[3][3] = {{3.241003275, -1.537398934, -0.498615861},
                                   {-0.969224334, 1.875930071, 0.041554224},
                                   {0.055639423, -0.204011202, 1.057148933}};
 
-Color times(const double (&m)[3][3], const Color& c) {
-    Color result;
+Channels times(const double (&m)[3][3], const Channels& c) {
+    Channels result;
     for (int i = 0; i < 3; ++i) result[i] = m[i][0] * c[0] + m[i][1] * c[1] + m[i][2] * c[2];
     return result;
 }
@@ -33,20 +33,20 @@ Color times(const double (&m)[3][3], const Color& c) {
 double decode(double s) { return s > 0.04045 ? std::pow((s + 0.055) / 1.055, 2.4) : s / 12.92; }
 
 // Section 4.1.1: L*a*b* without its cube roots, which keeps filtering linear in light.
-Color toOpponent(const Color& linear) {
-    const Color c = times(toXyz, linear);
+Channels toOpponent(const Channels& linear) {
+    const Channels c = times(toXyz, linear);
     const double x = c[0] / white[0], y = c[1] / white[1], z = c[2] / white[2];
     return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
 }
 
-Color fromOpponent(const Color& c) {
+Channels fromOpponent(const Channels& c) {
     const double y = (c[0] + 16) / 116, x = y + c[1] / 500, z = y - c[2] / 200;
     return times(fromXyz, {x * white[0], y * white[1], z * white[2]});
 }
 
 // Section 4.1.2: L*a*b*, its chroma scaled by lightness (Hunt's effect).
-Color toHuntLab(const Color& linear) {
-    Color f = times(toXyz, linear);
+Channels toHuntLab(const Channels& linear) {
+    Channels f = times(toXyz, linear);
     constexpr double delta = 6.0 / 29;
     for (int i = 0; i < 3; ++i) {
         const double v = f[i] / white[i];
@@ -56,7 +56,7 @@ Color toHuntLab(const Color& linear) {
     return {L, 0.01 * L * 500 * (f[0] - f[1]), 0.01 * L * 200 * (f[1] - f[2])};
 }
 
-double hyab(const Color& a, const Color& b) {
+double hyab(const Channels& a, const Channels& b) {
     return std::abs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]);
 }
 
@@ -144,7 +144,7 @@ Plane features(const Plane& y, int width, int height, int order, double pixelsPe
 }
 
 struct Seen {
-    std::vector<Color> colors;  // filtered, in Hunt-adjusted L*a*b*
+    std::vector<Channels> colors;  // filtered, in Hunt-adjusted L*a*b*
     Plane edges, points;
 };
 
@@ -155,7 +155,7 @@ Seen see(const Picture& picture, double pixelsPerDegree) {
     Planes planes;
     for (int i = 0; i < n; ++i) {
         const std::uint8_t* rgb = &picture.rgb[3 * i];
-        const Color c = toOpponent({linear[rgb[0]], linear[rgb[1]], linear[rgb[2]]});
+        const Channels c = toOpponent({linear[rgb[0]], linear[rgb[1]], linear[rgb[2]]});
         for (int k = 0; k < 3; ++k) planes[k].push_back(c[k]);
     }
     const Planes filtered{
@@ -164,7 +164,7 @@ Seen see(const Picture& picture, double pixelsPerDegree) {
         blur(planes[2], width, height, {{34.1, 0.04}, {13.5, 0.025}}, pixelsPerDegree)};
     Seen seen;
     for (int i = 0; i < n; ++i) {
-        Color c = fromOpponent({filtered[0][i], filtered[1][i], filtered[2][i]});
+        Channels c = fromOpponent({filtered[0][i], filtered[1][i], filtered[2][i]});
         for (double& v : c) v = std::clamp(v, 0.0, 1.0);
         seen.colors.push_back(toHuntLab(c));
     }

@@ -7,7 +7,7 @@
 namespace plait {
 namespace {
 
-constexpr int width = 296, height = 206;
+constexpr int across = 296, down = 206;
 constexpr PageBox area{52, 44, 280, 158};  // of the axes
 constexpr Color grid{0x33, 0x40, 0x4d}, quiet{0x58, 0x6a, 0x7a}, faint{0x7c, 0x33, 0x2a};
 constexpr double gap = 8;
@@ -56,14 +56,14 @@ void addAxes(Drawing& drawing, const Plot& plot) {
 }  // namespace
 
 Drawing insetDrawing(const InsetChart& inset) {
-    Drawing drawing{.width = width, .height = height, .title = "", .ground = ink, .items = {}};
-    addRectangle(drawing, {0, 0, width, height}, ink, 0.72);
+    Drawing drawing{.width = across, .height = down, .title = "", .ground = ink, .items = {}};
+    addRectangle(drawing, {0, 0, across, down}, ink, 0.72);
     const Plot plot{area, scaleOf(inset.curve, &ChartPoint::x, area.left, area.right),
                     scaleOf(inset.curve, &ChartPoint::y, area.bottom, area.top)};
     addAxes(drawing, plot);
     const TextStyle name{Weight::regular, 15, ivory};
-    addWord(drawing, gap + 6, 30, inset.y, name, Anchor::left, width - 2 * gap);
-    addWord(drawing, area.right, height - gap, inset.x, name, Anchor::right, width - 2 * gap);
+    addWord(drawing, gap + 6, 30, inset.y, name, Anchor::left, across - 2 * gap);
+    addWord(drawing, area.right, down - gap, inset.x, name, Anchor::right, across - 2 * gap);
     addWay(drawing, inset.curve, plot, quiet, 2);
     addWay(drawing, inset.trail, plot, faint, 2.5);
     if (inset.trail.empty() || !shown(inset.trail.back())) return drawing;
@@ -76,7 +76,7 @@ Drawing insetDrawing(const InsetChart& inset) {
 
 void drawInset(Picture& picture, const InsetChart& inset, double below) {
     const double unit = unitOf(picture);
-    paintDrawing(picture, picture.width - (40 + width) * unit, (40 + below) * unit,
+    paintDrawing(picture, picture.width - (40 + across) * unit, (40 + below) * unit,
                  insetDrawing(inset), unit);
 }
 

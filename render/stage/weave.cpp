@@ -24,13 +24,13 @@ std::uint8_t byte(float v) { return static_cast<std::uint8_t>(std::lround(255 * 
 
 Texture makeWeave() {
     std::vector<std::uint8_t> texels;
-    const float turn = 2 * std::numbers::pi_v<float> * threads / size;
+    const float perTexel = 2 * std::numbers::pi_v<float> * threads / size;
     for (int row = 0; row < size; ++row)
         for (int column = 0; column < size; ++column) {
             const int warp = column * threads / size, weft = row * threads / size;
             // Plain weave: warp and weft lie on top in turn, each thread a little its own.
             const bool over = (warp + weft) % 2 == 0;
-            const float tilt = 0.16f * std::sin(turn * static_cast<float>(over ? column : row));
+            const float tilt = 0.16f * std::sin(perTexel * static_cast<float>(over ? column : row));
             const float slub = over ? noise(static_cast<std::uint32_t>(warp), 1)
                                     : noise(static_cast<std::uint32_t>(weft), 2);
             texels.push_back(byte(over ? tilt : 0));

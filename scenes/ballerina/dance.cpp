@@ -7,17 +7,18 @@ namespace {
 
 constexpr double degree = 0.017453292519943295;
 
-// Arms, by the words of the dance: direction and extension of the wrist, elbow, palm.
+// Direction and extension of the wrist, elbow, palm.
 using Arm = std::array<double, 10>;
-constexpr Arm low{0.60, -0.77, 0.24, 0.955, 0.35, 0.25, -1, -0.75, -0.05, 0.65};
-constexpr Arm first{-0.02, -0.40, 0.90, 0.86, 1, -0.10, 0.10, -0.35, 0.25, -0.90};
-constexpr Arm second{0.94, -0.10, 0.33, 0.962, 0.10, 0.30, -1, -0.35, -0.35, 0.87};
-constexpr Arm fifth{0.03, 0.95, 0.27, 0.865, 1, 0.00, 0.15, -0.55, -0.70, -0.10};
-constexpr Arm ahead{-0.10, 0.16, 1, 0.985, 0.80, -0.55, 0, 0.10, -1, 0.10};
-constexpr Arm aside{0.97, 0.02, -0.22, 0.985, 0.10, -0.30, -1, 0, -1, 0.15};
-constexpr Arm high{0.42, 0.88, 0.16, 0.97, 0.85, -0.10, -0.50, -0.30, -0.45, 0.85};
 
+// Arms, by the words of the dance.
 const Track<10>& armTrack(std::size_t side) {
+    constexpr Arm low{0.60, -0.77, 0.24, 0.955, 0.35, 0.25, -1, -0.75, -0.05, 0.65};
+    constexpr Arm first{-0.02, -0.40, 0.90, 0.86, 1, -0.10, 0.10, -0.35, 0.25, -0.90};
+    constexpr Arm second{0.94, -0.10, 0.33, 0.962, 0.10, 0.30, -1, -0.35, -0.35, 0.87};
+    constexpr Arm fifth{0.03, 0.95, 0.27, 0.865, 1, 0.00, 0.15, -0.55, -0.70, -0.10};
+    constexpr Arm ahead{-0.10, 0.16, 1, 0.985, 0.80, -0.55, 0, 0.10, -1, 0.10};
+    constexpr Arm aside{0.97, 0.02, -0.22, 0.985, 0.10, -0.30, -1, 0, -1, 0.15};
+    constexpr Arm high{0.42, 0.88, 0.16, 0.97, 0.85, -0.10, -0.50, -0.30, -0.45, 0.85};
     static const Track<10> left{
         {0.0, low},    {0.7, low},     {1.35, first}, {2.05, fifth}, {2.75, fifth},  {3.4, second},
         {3.8, second}, {4.1, first},   {4.6, fifth},  {6.1, fifth},  {6.6, first},   {7.4, ahead},

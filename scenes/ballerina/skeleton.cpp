@@ -125,7 +125,7 @@ Point centerOfMass(const Posed& p) {
 }
 
 // How high the hips may be for the planted legs to reach.
-double highest(const Controls& controls, const Posed& posed) {
+double greatestLift(const Controls& controls, const Posed& posed) {
     double limit = 10;
     const RestLimb rest = restLeg();
     const double whole = 0.9988 * (rest.upper + rest.lower);
@@ -170,7 +170,7 @@ Posed pose(const Controls& controls) {
         if (i == 7) break;
         const Point off = controls.balance - p.balance;
         p.hips += Point{off.x, 0, off.z};
-        const double stood = smoothMin(controls.balance.y, highest(controls, p), 0.02);
+        const double stood = smoothMin(controls.balance.y, greatestLift(controls, p), 0.02);
         const double flown = p.hips.y + controls.flightHeight - p.balance.y;
         p.hips.y = stood + controls.flight * (flown - stood);
     }

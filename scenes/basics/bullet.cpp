@@ -11,13 +11,11 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace plait {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double radius = 0.02;  // m
 
 // In m: from the middle of the ball to the sheet; below 0 where it is behind.

@@ -10,14 +10,12 @@
 #include <plait/stencils.h>
 
 #include <array>
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace plait {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int layers = 3;
 constexpr double side = 0.7, thickness = 0.002;  // m
 

@@ -9,12 +9,10 @@
 #include <plait/stencils.h>
 
 #include <array>
-#include <limits>
 
 namespace plait {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double thickness = 0.0015;           // m, of sheet and balls, to either side
 constexpr double radius = 0.55, drawn = 1.15;  // m, of the rim; of the sheet at rest
 constexpr double density = 0.3;                // kg/m^2

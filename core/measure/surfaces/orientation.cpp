@@ -8,8 +8,6 @@
 namespace plait {
 namespace {
 
-int signOf(double a) { return (a > 0) - (a < 0); }
-
 // A sum of doubles without rounding: terms that do not overlap, the least first (Shewchuk 1997,
 // figure 6, GROW-EXPANSION). Zeros are dropped, so the sign is that of the last term.
 class Expansion {

@@ -5,6 +5,9 @@
 
 namespace plait {
 
+// -1, 0 or 1.
+inline int signOf(double a) { return (a > 0) - (a < 0); }
+
 // The sign (-1, 0, 1) of the determinant of the columns a - d, b - d, c - d: 1 if a, b, c run
 // clockwise seen from d, as in the tetrahedron (0, 0, 0), x, y, z with d at the origin; 0 only if
 // the four points are in one plane.

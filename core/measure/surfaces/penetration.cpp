@@ -17,8 +17,6 @@ namespace {
 using Point = Vec<double>;
 using Corners = std::array<Point, 3>;
 
-int signOf(double a) { return (a > 0) - (a < 0); }
-
 // Seen along x: 1 if a, b, p run anticlockwise in (y, z).
 int turn(const Point& a, const Point& b, const Point& p) {
     const auto flat = [](const Point& q, double x) { return Point{x, q.y, q.z}; };

@@ -2,15 +2,13 @@
 #include "aggregates.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <set>
 
 namespace plait {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t most = 8;  // members: couplings cost the fourth power
+constexpr std::size_t mostMembers = 8;  // members: couplings cost the fourth power
 
 }  // namespace
 
@@ -94,7 +92,7 @@ std::vector<int> AggregatePlan::regroup(std::size_t level, const Change& change)
             groups.parent[first] = own;
             for (std::size_t i = 0; i < part.size(); ++i)
                 for (const auto& [other, unused] : fine.ways.around(part[i]))
-                    if (part.size() < most && groups.parent[other] < 0 &&
+                    if (part.size() < mostMembers && groups.parent[other] < 0 &&
                         std::binary_search(members.begin(), members.end(), other)) {
                         groups.parent[other] = own;
                         part.push_back(other);

@@ -1,14 +1,11 @@
 #include "aggregate_graph.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <utility>
 
 namespace plait {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // sum p_ij d_ij for a good coupling p of shares s and t: the cheapest pairs first, then exchanges
 // of two against two while they gain. Any coupling is a bound; the best is the tightest.

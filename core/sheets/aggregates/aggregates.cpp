@@ -1,13 +1,10 @@
 #include "aggregates.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace plait {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // How many nodes there are to move; what no link joins counts for nothing.
 int moving(const AggregateGraph& graph) {

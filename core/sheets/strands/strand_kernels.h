@@ -32,5 +32,9 @@ struct StrandTable {
 // Throws std::invalid_argument if `choice` is not available.
 template <class Real>
 const StrandTable<Real>& strandKernels(KernelChoice choice);
+template <>
+const StrandTable<float>& strandKernels<float>(KernelChoice choice);
+template <>
+const StrandTable<double>& strandKernels<double>(KernelChoice choice);
 
 }  // namespace plait

@@ -1,13 +1,10 @@
 #include "ways.h"
 
-#include <limits>
 #include <queue>
 #include <tuple>
 #include <utility>
 
 namespace plait {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Ways::Ways(int nodes, std::span<const Link> links)
     : neighbours_(nodes), distance_(nodes, infinity), source_(nodes, -1) {

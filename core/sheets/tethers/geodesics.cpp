@@ -5,13 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace plait {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double pi = 3.14159265358979324;
 constexpr double flat = 1e-6;  // rad that the angles around a vertex may miss
 
 Csr listsOf(int count, std::span<const std::array<int, 2>> pairs) {

@@ -1,14 +1,12 @@
 #include "light.h"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
 namespace plait {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double shorter = 1e-12;  // by this part at least, or it is rounding
 
 }  // namespace

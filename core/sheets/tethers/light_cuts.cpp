@@ -3,12 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace plait {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void Geodesics::Light::darken(const Cut& cut) {
     visited_ = 0;

@@ -16,7 +16,6 @@ using plait::test::report;
 namespace {
 
 using Point = Vec<double>;
-constexpr double pi = std::numbers::pi;
 
 const Point& at(const Shape& shape, int i) { return shape.positions[i]; }
 
@@ -86,7 +85,6 @@ std::string refusal(const std::function<void()>& build) {
 }
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 

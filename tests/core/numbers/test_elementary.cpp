@@ -19,8 +19,6 @@ using plait::test::report;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // |value - exact| in units of the last place of T at the exact value.
 template <class T>
 double ulps(T value, long double exact) {

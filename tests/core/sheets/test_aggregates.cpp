@@ -13,7 +13,6 @@
 #include <plait/sheets/aggregates/aggregate_set.h>
 #include <plait/sheets/tethers/tethers.h>
 
-#include <limits>
 #include <numbers>
 #include <string>
 
@@ -21,8 +20,6 @@ using namespace plait;
 using namespace plait::test;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<Link> linksBetween(const std::vector<int>& ids, const Points& rest) {
     std::vector<Link> links;

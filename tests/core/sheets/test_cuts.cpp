@@ -5,7 +5,6 @@
 #include "tests/report.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -14,8 +13,6 @@ using namespace plait;
 using namespace plait::test;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // By anchor and vertex, m.
 std::map<std::pair<int, int>, double> lengthsOf(const Tethers& tethers) {

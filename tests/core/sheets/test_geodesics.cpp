@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <queue>
 
 using namespace plait;
@@ -18,7 +17,6 @@ using namespace plait::test;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Points = std::vector<Vec<double>>;
 
 struct Surface {

@@ -17,7 +17,6 @@ using namespace plait::test;
 namespace {
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 const SolverOptions tenSubsteps{.schedule = {.substeps = 10, .iterations = 1}};
 
 // Two linked weights that fall, the third on a pin that is carried about by `motion`.
