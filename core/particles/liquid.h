@@ -1,0 +1,47 @@
+// A liquid: particles that keep their volume. C_i = sum_j W_ij / rest + walls - 1 <= 0 for each, at
+// position level, all at once (PBF: Macklin, Müller, Position based fluids, 2013; nearest kin:
+// Bodin, Lacoursière, Servin, Constraint fluids, 2012).
+//
+// Multipliers begin at 0 and a substep takes one evaluation: in effect weakly compressible SPH,
+// with a speed of sound of sqrt(2 relaxation) 0.7 spacing / h. How far it gives way under its own
+// weight is known beforehand: restCompression.
+#pragma once
+
+#include "../contacts/solids/collider.h"
+#include "../world.h"
+
+#include <span>
+#include <vector>
+
+namespace plait {
+
+struct Liquid {
+    Range particles{};   // vertices, all of one mass
+    double spacing = 0;  // m; a particle stands for a cube of this side
+    // What the liquid does not see through; to collide() with them is for the world to say. Solids
+    // no thinner than two spacings: through a thinner one either side would press on the other.
+    std::vector<Collider> walls = {};
+    // Part of a correction that is applied. At 0.5 a liquid at rest rings for ever, the limit of
+    // explicit stability; below 0.35 that dies out.
+    double relaxation = 0.25;
+};
+
+// m; how far particles see.
+double kernelRadius(const Liquid& liquid);
+
+// The largest part by which a liquid at rest of this depth (m) is compressed, under gravity
+// (m/s^2), in substeps of h (s); the mean is a fifth of it.
+double restCompression(const Liquid& liquid, double depth, double gravity, double h);
+
+// By particle, how dense it is over how dense water is at rest: its own sum, not cut off at the
+// surface, where it is less than 1. Walls as they stand at time t (s).
+std::vector<double> densityRatios(const Liquid& liquid, std::span<const Vec<double>> positions,
+                                  double t = 0);
+
+// Adds the set. It is its own mirror image: of a palindrome, forward and backward, it takes the
+// middle, so it should be last by order. Throws std::invalid_argument, naming the set, for
+// particles that are not there, a spacing that is not positive, and a relaxation that is not above
+// 0 and below 1.
+void holdDensity(World& world, const Liquid& liquid, SetOptions options);
+
+}  // namespace plait

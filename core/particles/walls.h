@@ -1,0 +1,52 @@
+// What of a particle's kernel lies in the shadow of walls: there a wall stands for the liquid that
+// would be there, so that none is missing beside it, and its gradient is how the wall pushes.
+#pragma once
+
+#include "../constraint.h"
+#include "../contacts/solids/collider.h"
+
+#include <string>
+#include <vector>
+
+namespace plait {
+
+struct Shade {
+    double part = 0;                // of the kernel, 0 to 1
+    Vec<double> gradient{0, 0, 0};  // 1/m, of the part
+};
+
+// Parts of several walls are taken together as if each cut the kernel by itself, 1 - prod(1 - f):
+// exact for planes at right angles to 1.7 % of the whole; their sum would be 3 % too much at an
+// edge and 10 % in a corner.
+class Walls {
+public:
+    // `radius` (m) is that of the kernel. Throws std::invalid_argument, naming `who`, for what is
+    // no frame.
+    Walls(const std::vector<Collider>& colliders, double radius, const std::string& who);
+
+    // As those of a Constraint: walls move with their colliders.
+    void beginFrame(double t0, double t1);
+    void begin(const Substep& substep);
+
+    // At a point of the world (m), which may be inside of a wall.
+    Shade at(const Vec<double>& point) const;
+    // False: within `reach` (m) of the point no kernel meets a wall.
+    bool near(const Vec<double>& point, double reach) const;
+    bool empty() const { return bodies_.empty(); }
+
+private:
+    struct Body {
+        Collider collider;
+        Placement from, to;  // at the ends of the base step
+        Vec<double> turn;    // rad, in it
+        Placement now;       // at the end of the substep
+    };
+    Shade of(const Solid& solid, const Vec<double>& p) const;
+    Shade ofBox(const Vec<double>& half, const Vec<double>& p) const;
+
+    double radius_;
+    std::string who_;
+    std::vector<Body> bodies_;
+};
+
+}  // namespace plait
