@@ -13,7 +13,7 @@ namespace plait {
 double kernelRadius(const Liquid& liquid) { return radiusInSpacings * liquid.spacing; }
 
 double restCompression(const Liquid& liquid, double depth, double gravity, double h) {
-    return 0.95 * gravity * depth * h * h / (liquid.relaxation * liquid.spacing * liquid.spacing);
+    return 0.475 * gravity * depth * h * h / (liquid.relaxation * liquid.spacing * liquid.spacing);
 }
 
 std::vector<double> densityRatios(const Liquid& liquid, std::span<const Vec<double>> positions,

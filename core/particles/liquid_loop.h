@@ -67,89 +67,132 @@ Vec<T> towards(const Near<Scalar<T>>& near) {
     return {load<T>(near.x), load<T>(near.y), load<T>(near.z)};
 }
 
-// Calls evaluate() whenever `near` holds a pack of what is near, until all around one of the cell
-// has been seen. `at` says who looks. What fills up the last pack is out of the kernel's reach.
-template <class Real, class Evaluate>
-void eachNear(const LiquidPass<Real>& pass, const Looker<Real>& at, int cell, Near<Real>& near,
-              const Evaluate& evaluate) {
+// Of one cell: a crowd, or, where that would not hold all, the rows around as they lie.
+template <class Real>
+struct Surroundings {
+    Crowd<Real> crowd;
+    Points<Real> points;
+    int begin[9], end[9], rows;
+};
+
+template <class Real>
+void survey(const LiquidPass<Real>& pass, const Real* numbers, int cell, Surroundings<Real>& out) {
+    const Points<Real> all{pass.x, pass.y, pass.z, numbers};
+    const Real squared = pass.radius * pass.radius;
+    int total = 0, row = 0;
+    for (int z = -1; z <= 1; ++z)
+        for (int y = -1; y <= 1; ++y, ++row) {
+            const int* const start = pass.start + cell + z * pass.layer + y * pass.row;
+            out.begin[row] = start[-1];
+            out.end[row] = start[2];
+            total += start[2] - start[-1];
+        }
+    out.rows = 9;
+    out.points = all;
+    if (total > mostInCrowd) return;
+    const int first = pass.start[cell], last = pass.start[cell + 1];
+    Box<Real> box{{pass.x[first], pass.y[first], pass.z[first]},
+                  {pass.x[first], pass.y[first], pass.z[first]}};
+    const auto lesser = [](Real a, Real b) { return b < a ? b : a; };
+    const auto greater = [](Real a, Real b) { return b > a ? b : a; };
+    for (int i = first + 1; i < last; ++i) {
+        const Vec<Real> p{pass.x[i], pass.y[i], pass.z[i]};
+        box.low = {lesser(box.low.x, p.x), lesser(box.low.y, p.y), lesser(box.low.z, p.z)};
+        box.high = {greater(box.high.x, p.x), greater(box.high.y, p.y), greater(box.high.z, p.z)};
+    }
     int count = 0;
-    for (int layer = -pass.layer; layer <= pass.layer; layer += pass.layer)
-        for (int row = -pass.row; row <= pass.row; row += pass.row) {
-            const int end = pass.start[cell + layer + row + 2];
-            for (int s = pass.start[cell + layer + row - 1]; s < end; s += lookWidth<Real>) {
-                count = look(at, s, end, near, count);
-                if (count < nearWidth) continue;
-                evaluate();
-                count -= nearWidth;
-                for (Real* array : {near.x, near.y, near.z, near.number})
-                    __builtin_memcpy(array, array + nearWidth, nearWidth * sizeof(Real));
-            }
+    for (row = 0; row < 9; ++row)
+        for (int s = out.begin[row]; s < out.end[row]; s += lookWidth<Real>)
+            count = lookFrom(box, squared, all, s, out.end[row], out.crowd, count);
+    out.begin[0] = 0;
+    out.end[0] = count;
+    out.rows = 1;
+    out.points = out.crowd.points();
+}
+
+// Calls evaluate(near) with a pack of those near a point at a time, until all have been seen. What
+// fills up the last pack is out of the kernel's reach. Inlined, or sums would be kept in memory.
+template <class Real, class Evaluate>
+[[gnu::always_inline]] inline void eachNear(const Surroundings<Real>& around, const Vec<Real>& at,
+                                            Real radius, const Evaluate& evaluate) {
+    Near<Real> near;
+    int count = 0;
+    for (int row = 0; row < around.rows; ++row)
+        for (int s = around.begin[row]; s < around.end[row]; s += lookWidth<Real>) {
+            count = look(at, radius * radius, around.points, s, around.end[row], near, count);
+            if (count < nearWidth) continue;
+            evaluate(near);
+            count -= nearWidth;
+            for (Real* array : {near.x, near.y, near.z, near.number})
+                __builtin_memcpy(array, array + nearWidth, nearWidth * sizeof(Real));
         }
     if (count == 0) return;
-    for (; count < nearWidth; ++count) {
-        near.x[count] = 2 * pass.radius;
-        near.y[count] = near.z[count] = near.number[count] = 0;
-    }
-    evaluate();
+    using T = NearPack<Real>;
+    store(near.x + count, T(2 * radius));
+    for (Real* array : {near.y, near.z, near.number}) store(array + count, T(0));
+    evaluate(near);
 }
 
 template <class Real>
-void weighCells(const LiquidPass<Real>& pass, int begin, int end) {
+void weigh(const LiquidPass<Real>& pass, const Surroundings<Real>& around, int i) {
     using T = NearPack<Real>;
     const Real perRadius = 1 / pass.radius, scale = pass.scale;
-    Near<Real> near;
-    Looker<Real> at{0, 0, 0, pass.radius * pass.radius, pass.x, pass.y, pass.z, pass.inverse};
+    T sum(0), others(0);
+    Vec<T> own{T(0), T(0), T(0)};
+    const auto add = [&](const Near<Real>& near) __attribute__((always_inline)) {
+        const Vec<T> to = towards<T>(near);
+        const T squared = dot(to, to);
+        const auto [value, pull] = splineAt(squared, perRadius);
+        sum = sum + value;
+        own += pull * to;
+        others = others + pull * pull * squared * load<T>(near.number);
+    };
+    eachNear(around, {pass.x[i], pass.y[i], pass.z[i]}, pass.radius, add);
+    const Real* const wall = pass.wall + 4 * static_cast<long>(i);
+    const Real value = scale * folded(sum) + wall[3] - 1;
+    const Vec<Real> gradient{scale * folded(own.x) + wall[0], scale * folded(own.y) + wall[1],
+                             scale * folded(own.z) + wall[2]};
+    const Real inverse = pass.inverse[i] * dot(gradient, gradient) + scale * scale * folded(others);
+    const Real safe = inverse > pass.least ? inverse : pass.least;
+    pass.lambda[i] = value > 0 ? -pass.relaxation * value / safe : Real(0);
+}
+
+template <class Real>
+void move(const LiquidPass<Real>& pass, const Surroundings<Real>& around, int i) {
+    using T = NearPack<Real>;
+    const Real perRadius = 1 / pass.radius, scale = pass.scale, lambda = pass.lambda[i];
+    Vec<T> sum{T(0), T(0), T(0)};
+    const auto add = [&](const Near<Real>& near) __attribute__((always_inline)) {
+        const Vec<T> to = towards<T>(near);
+        const auto [value, pull] = splineAt(dot(to, to), perRadius);
+        sum += pull * (T(lambda) + load<T>(near.number)) * to;
+    };
+    eachNear(around, {pass.x[i], pass.y[i], pass.z[i]}, pass.radius, add);
+    const Real* const wall = pass.wall + 4 * static_cast<long>(i);
+    Real* const d = pass.particles + 8 * static_cast<long>(pass.vertex[i]) + 4;
+    d[0] += pass.inverse[i] * (scale * folded(sum.x) + lambda * wall[0]);
+    d[1] += pass.inverse[i] * (scale * folded(sum.y) + lambda * wall[1]);
+    d[2] += pass.inverse[i] * (scale * folded(sum.z) + lambda * wall[2]);
+}
+
+// Of all particles of occupied cells begin .. end - 1.
+template <class Real>
+void weighCells(const LiquidPass<Real>& pass, int begin, int end) {
+    Surroundings<Real> around;
     for (int c = begin; c < end; ++c) {
         const int cell = pass.occupied[c];
-        for (int i = pass.start[cell]; i < pass.start[cell + 1]; ++i) {
-            at.x = pass.x[i], at.y = pass.y[i], at.z = pass.z[i];
-            T sum(0), others(0);
-            Vec<T> own{T(0), T(0), T(0)};
-            eachNear(pass, at, cell, near, [&] {
-                const Vec<T> to = towards<T>(near);
-                const T squared = dot(to, to);
-                const auto [value, pull] = splineAt(squared, perRadius);
-                sum = sum + value;
-                own += pull * to;
-                others = others + pull * pull * squared * load<T>(near.number);
-            });
-            const Real* const wall = pass.wall + 4 * static_cast<long>(i);
-            const Real value = scale * folded(sum) + wall[3] - 1;
-            const Vec<Real> gradient{scale * folded(own.x) + wall[0],
-                                     scale * folded(own.y) + wall[1],
-                                     scale * folded(own.z) + wall[2]};
-            const Real inverse =
-                pass.inverse[i] * dot(gradient, gradient) + scale * scale * folded(others);
-            const Real safe = inverse > pass.least ? inverse : pass.least;
-            pass.lambda[i] = value > 0 ? -pass.relaxation * value / safe : Real(0);
-        }
+        survey(pass, pass.inverse, cell, around);
+        for (int i = pass.start[cell]; i < pass.start[cell + 1]; ++i) weigh(pass, around, i);
     }
 }
 
 template <class Real>
 void moveCells(const LiquidPass<Real>& pass, int begin, int end) {
-    using T = NearPack<Real>;
-    const Real perRadius = 1 / pass.radius, scale = pass.scale;
-    Near<Real> near;
-    Looker<Real> at{0, 0, 0, pass.radius * pass.radius, pass.x, pass.y, pass.z, pass.lambda};
+    Surroundings<Real> around;
     for (int c = begin; c < end; ++c) {
         const int cell = pass.occupied[c];
-        for (int i = pass.start[cell]; i < pass.start[cell + 1]; ++i) {
-            if (pass.inverse[i] == 0) continue;
-            at.x = pass.x[i], at.y = pass.y[i], at.z = pass.z[i];
-            const Real lambda = pass.lambda[i];
-            Vec<T> sum{T(0), T(0), T(0)};
-            eachNear(pass, at, cell, near, [&] {
-                const Vec<T> to = towards<T>(near);
-                const auto [value, pull] = splineAt(dot(to, to), perRadius);
-                sum += pull * (T(lambda) + load<T>(near.number)) * to;
-            });
-            const Real* const wall = pass.wall + 4 * static_cast<long>(i);
-            Real* const d = pass.particles + 8 * static_cast<long>(pass.vertex[i]) + 4;
-            d[0] += pass.inverse[i] * (scale * folded(sum.x) + lambda * wall[0]);
-            d[1] += pass.inverse[i] * (scale * folded(sum.y) + lambda * wall[1]);
-            d[2] += pass.inverse[i] * (scale * folded(sum.z) + lambda * wall[2]);
-        }
+        survey<Real>(pass, pass.lambda, cell, around);
+        for (int i = pass.start[cell]; i < pass.start[cell + 1]; ++i) move(pass, around, i);
     }
 }
 

@@ -1,5 +1,7 @@
-// Those of a row of particles that are within a kernel's radius, packed side by side: of 27 cells
-// three particles in twenty are, and only these cost a square root and a division.
+// Who is near, of those in the 27 cells around: first a crowd for all particles of a cell, of those
+// near enough to the box around them; then for each of these those within the kernel's radius,
+// packed side by side. Three in twenty of the 27 cells' are, and only they cost a square root and a
+// division; half are in the crowd.
 #pragma once
 
 #include "../numbers/lanes.h"
@@ -7,107 +9,138 @@
 namespace plait {
 inline namespace PLAIT_ISA {
 
-inline constexpr int nearWidth = 16;  // evaluated at a time
-
-// Found and not yet evaluated: fewer than nearWidth, but for what the last look added.
+// As many as are looked at together.
+#if defined(__AVX512F__)
+using LookPack = Pack<16>;
+#elif defined(__AVX2__)
+using LookPack = Pack<8>;
+#else
+using LookPack = float;
+#endif
 template <class Real>
-struct Near {
-    alignas(64) Real x[2 * nearWidth], y[2 * nearWidth], z[2 * nearWidth];  // m, from it to us
-    alignas(64) Real number[2 * nearWidth];                                 // that goes with it
+struct LookOf {
+    using T = Real;
 };
-
-// Where we are, and what of others is looked at.
+template <>
+struct LookOf<float> {
+    using T = LookPack;
+};
 template <class Real>
-struct Looker {
-    Real x, y, z;              // m
-    Real squared;              // m^2, of the radius
-    const Real *xs, *ys, *zs;  // m, by slot
-    const Real* numbers;       // by slot
-};
+inline constexpr int lookWidth = Lanes<typename LookOf<Real>::T>::count;
 
-// look() looks at `lookWidth` slots of a row from `begin` on, appends what is near to the `count`
-// found before, and returns how many there are then.
+// By lane, a bit: a < b, of the first `left` lanes.
+template <class S>
+unsigned below(S a, S b, int) {
+    return a < b;
+}
+// Writes the lanes whose bits are set side by side, and anything up to a pack's width behind.
+template <class S>
+void squeeze(S* to, S v, unsigned) {
+    *to = v;
+}
+
 #if defined(__AVX512F__)
 
-template <class Real>
-inline constexpr int lookWidth = sizeof(Real) == sizeof(float) ? 16 : 1;
-
-inline int look(const Looker<float>& at, int begin, int end, Near<float>& near, int count) {
-    const int left = end - begin;
-    const auto inRow = static_cast<__mmask16>(left < 16 ? (1 << left) - 1 : 0xffff);
-    const __m512 x = _mm512_sub_ps(_mm512_set1_ps(at.x), _mm512_loadu_ps(at.xs + begin));
-    const __m512 y = _mm512_sub_ps(_mm512_set1_ps(at.y), _mm512_loadu_ps(at.ys + begin));
-    const __m512 z = _mm512_sub_ps(_mm512_set1_ps(at.z), _mm512_loadu_ps(at.zs + begin));
-    const __m512 squared =
-        _mm512_add_ps(_mm512_add_ps(_mm512_mul_ps(x, x), _mm512_mul_ps(y, y)), _mm512_mul_ps(z, z));
-    const __mmask16 in =
-        _mm512_mask_cmp_ps_mask(inRow, squared, _mm512_set1_ps(at.squared), _CMP_LT_OQ);
-    // Packed in a register first: packing into memory takes some processors a hundred times longer.
-    const auto keep = [&](float* to, __m512 v) {
-        _mm512_storeu_ps(to + count, _mm512_maskz_compress_ps(in, v));
-    };
-    keep(near.x, x);
-    keep(near.y, y);
-    keep(near.z, z);
-    keep(near.number, _mm512_loadu_ps(at.numbers + begin));
-    return count + __builtin_popcount(static_cast<unsigned>(in));
+inline unsigned below(Pack<16> a, Pack<16> b, int left) {
+    const auto in = static_cast<__mmask16>(left < 16 ? (1 << left) - 1 : 0xffff);
+    return _mm512_mask_cmp_ps_mask(in, a.v, b.v, _CMP_LT_OQ);
+}
+// In a register first: packing into memory takes some processors a hundred times longer.
+inline void squeeze(float* to, Pack<16> v, unsigned bits) {
+    _mm512_storeu_ps(to, _mm512_maskz_compress_ps(static_cast<__mmask16>(bits), v.v));
 }
 
 #elif defined(__AVX2__)
 
-template <class Real>
-inline constexpr int lookWidth = sizeof(Real) == sizeof(float) ? 8 : 1;
-
-// By mask: the places of its bits, lowest first.
+// By bits: their places, lowest first.
 struct Places {
     alignas(32) int of[256][8];
 };
 inline constexpr Places places = [] {
     Places p{};
-    for (int mask = 0; mask < 256; ++mask) {
+    for (int bits = 0; bits < 256; ++bits) {
         int n = 0;
         for (int bit = 0; bit < 8; ++bit)
-            if (mask >> bit & 1) p.of[mask][n++] = bit;
+            if (bits >> bit & 1) p.of[bits][n++] = bit;
     }
     return p;
 }();
 
-inline int look(const Looker<float>& at, int begin, int end, Near<float>& near, int count) {
-    const int left = end - begin;
-    const __m256 x = _mm256_sub_ps(_mm256_set1_ps(at.x), _mm256_loadu_ps(at.xs + begin));
-    const __m256 y = _mm256_sub_ps(_mm256_set1_ps(at.y), _mm256_loadu_ps(at.ys + begin));
-    const __m256 z = _mm256_sub_ps(_mm256_set1_ps(at.z), _mm256_loadu_ps(at.zs + begin));
-    const __m256 squared =
-        _mm256_add_ps(_mm256_add_ps(_mm256_mul_ps(x, x), _mm256_mul_ps(y, y)), _mm256_mul_ps(z, z));
-    const int close =
-        _mm256_movemask_ps(_mm256_cmp_ps(squared, _mm256_set1_ps(at.squared), _CMP_LT_OQ));
-    const int in = close & (left < 8 ? (1 << left) - 1 : 0xff);
-    const __m256i order = _mm256_load_si256(reinterpret_cast<const __m256i*>(places.of[in]));
-    const auto keep = [&](float* to, __m256 v) {
-        _mm256_storeu_ps(to + count, _mm256_permutevar8x32_ps(v, order));
-    };
-    keep(near.x, x);
-    keep(near.y, y);
-    keep(near.z, z);
-    keep(near.number, _mm256_loadu_ps(at.numbers + begin));
-    return count + __builtin_popcount(static_cast<unsigned>(in));
+inline unsigned below(Pack<8> a, Pack<8> b, int left) {
+    const int in = _mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ));
+    return static_cast<unsigned>(in & (left < 8 ? (1 << left) - 1 : 0xff));
 }
-
-#else
-
-template <class Real>
-inline constexpr int lookWidth = 1;
+inline void squeeze(float* to, Pack<8> v, unsigned bits) {
+    const __m256i order = _mm256_load_si256(reinterpret_cast<const __m256i*>(places.of[bits]));
+    _mm256_storeu_ps(to, _mm256_permutevar8x32_ps(v.v, order));
+}
 
 #endif
 
+// Particles side by side, and a number that goes with each. Readable a pack behind the last.
 template <class Real>
-int look(const Looker<Real>& at, int begin, int, Near<Real>& near, int count) {
-    const Real x = at.x - at.xs[begin], y = at.y - at.ys[begin], z = at.z - at.zs[begin];
-    near.x[count] = x;
-    near.y[count] = y;
-    near.z[count] = z;
-    near.number[count] = at.numbers[begin];
-    return count + ((x * x + y * y) + z * z < at.squared);
+struct Points {
+    const Real *x, *y, *z;  // m
+    const Real* number;
+};
+template <class Real, int n>
+struct Bag {
+    alignas(64) Real x[n], y[n], z[n], number[n];
+    Points<Real> points() const { return {x, y, z, number}; }
+    template <class T>
+    void add(int count, const Vec<T>& p, const T& carried, unsigned bits) {
+        squeeze(x + count, p.x, bits);
+        squeeze(y + count, p.y, bits);
+        squeeze(z + count, p.z, bits);
+        squeeze(number + count, carried, bits);
+    }
+};
+
+inline constexpr int nearWidth = 16;  // evaluated at a time
+inline constexpr int mostInCrowd = 1024;
+
+// From each to us (m), of those found and not yet evaluated: fewer than nearWidth, but for what the
+// last look added.
+template <class Real>
+using Near = Bag<Real, 2 * nearWidth>;
+// Where they are.
+template <class Real>
+using Crowd = Bag<Real, mostInCrowd + nearWidth>;
+
+// Looks at a pack of those from `begin` to `end`, appends those that are near to the `count` found
+// before, and returns how many there are then.
+template <class Real>
+int look(const Vec<Real>& at, Real radiusSquared, const Points<Real>& from, int begin, int end,
+         Near<Real>& near, int count) {
+    using T = typename LookOf<Real>::T;
+    const Vec<T> to{T(at.x) - load<T>(from.x + begin), T(at.y) - load<T>(from.y + begin),
+                    T(at.z) - load<T>(from.z + begin)};
+    const unsigned bits = below(dot(to, to), T(radiusSquared), end - begin);
+    near.add(count, to, load<T>(from.number + begin), bits);
+    return count + __builtin_popcount(bits);
+}
+
+template <class Real>
+struct Box {
+    Vec<Real> low, high;  // m
+};
+
+// The same of those near to a box: rounded as look() rounds, it leaves out none that are near to
+// what is in it.
+template <class Real>
+int lookFrom(const Box<Real>& box, Real radiusSquared, const Points<Real>& from, int begin, int end,
+             Crowd<Real>& crowd, int count) {
+    using T = typename LookOf<Real>::T;
+    const auto beyond = [](Real low, Real high, T x) {
+        const T under = T(low) - x, over = x - T(high), zero(0);
+        return select(under > zero, under, select(over > zero, over, zero));
+    };
+    const Vec<T> p{load<T>(from.x + begin), load<T>(from.y + begin), load<T>(from.z + begin)};
+    const Vec<T> off{beyond(box.low.x, box.high.x, p.x), beyond(box.low.y, box.high.y, p.y),
+                     beyond(box.low.z, box.high.z, p.z)};
+    const unsigned bits = below(dot(off, off), T(radiusSquared), end - begin);
+    crowd.add(count, p, load<T>(from.number + begin), bits);
+    return count + __builtin_popcount(bits);
 }
 
 }  // namespace PLAIT_ISA
