@@ -10,6 +10,14 @@
 
 namespace plait {
 
+Surface surfaceOf(const Liquid& liquid) {
+    return {.vertices = liquid.particles,
+            .thickness = 0.05 * liquid.spacing,
+            .staticFriction = 0,
+            .dynamicFriction = 0,
+            .self = Self::none};
+}
+
 double kernelRadius(const Liquid& liquid) { return radiusInSpacings * liquid.spacing; }
 
 double restCompression(const Liquid& liquid, double depth, double gravity, double h) {

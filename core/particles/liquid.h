@@ -8,6 +8,7 @@
 #pragma once
 
 #include "../contacts/solids/collider.h"
+#include "../contacts/surface.h"
 #include "../world.h"
 
 #include <span>
@@ -18,13 +19,19 @@ namespace plait {
 struct Liquid {
     Range particles{};   // vertices, all of one mass
     double spacing = 0;  // m; a particle stands for a cube of this side
-    // What the liquid does not see through; to collide() with them is for the world to say. Solids
-    // no thinner than two spacings: through a thinner one either side would press on the other.
+    // What the liquid does not see through; that it collides with them as well is for the world to
+    // say, collide(world, walls, {surfaceOf(liquid)}, ...). Solids no thinner than two spacings:
+    // through a thinner one either side would press on the other.
     std::vector<Collider> walls = {};
     // Part of a correction that is applied. At 0.5 a liquid at rest rings for ever, the limit of
     // explicit stability; below 0.35 that dies out.
     double relaxation = 0.25;
 };
+
+// On which terms it meets walls, for collide(): smooth, and a twentieth of a spacing thick.
+// Densities carry what presses on a wall; contacts catch what is thrown at it. Half a spacing would
+// lift a column by 4 %, and a tenth would carry a sixtieth of its weight.
+Surface surfaceOf(const Liquid& liquid);
 
 // m; how far particles see.
 double kernelRadius(const Liquid& liquid);

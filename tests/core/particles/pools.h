@@ -57,12 +57,7 @@ struct Pool {
     void fall(double gravity = 9.81) {
         world.act<Gravity>(GravityOptions{.acceleration = {0, -gravity, 0}});
         holdDensity(world, liquid, {.name = "density"});
-        collide(world, liquid.walls,
-                {{.vertices = liquid.particles,
-                  .thickness = 0.1 * liquid.spacing,
-                  .staticFriction = 0,
-                  .dynamicFriction = 0}},
-                {.name = "tank", .order = 1});
+        collide(world, liquid.walls, {surfaceOf(liquid)}, {.name = "tank", .order = 1});
     }
 };
 

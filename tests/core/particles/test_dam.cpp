@@ -16,10 +16,11 @@ constexpr double g = 9.81, tank = 5;  // m/s^2; the tank's length over the colum
 
 // Time in sqrt(width / 2 g), place of the front in widths: of columns 2.25 in and 1.125 in wide.
 using Front = std::vector<std::array<double, 2>>;
-const Front wide{{0.832, 1.217}, {1.219, 1.474}, {1.997, 2.292}, {2.547, 2.995},
-                 {3.345, 4.134}, {4.034, 4.944}, {4.418, 5.881}};
-const Front narrow{{0.849, 1.245}, {1.212, 1.443}, {1.602, 1.884}, {2.283, 2.689}, {2.950, 3.728},
-                   {3.598, 4.528}, {3.905, 4.999}, {4.592, 5.841}, {4.961, 6.271}};
+const Front fronts225{{0.832, 1.217}, {1.219, 1.474}, {1.997, 2.292}, {2.547, 2.995},
+                      {3.345, 4.134}, {4.034, 4.944}, {4.418, 5.881}};
+const Front fronts1125{{0.849, 1.245}, {1.212, 1.443}, {1.602, 1.884},
+                       {2.283, 2.689}, {2.950, 3.728}, {3.598, 4.528},
+                       {3.905, 4.999}, {4.592, 5.841}, {4.961, 6.271}};
 
 double at(const Front& front, double time) {
     for (std::size_t i = 1; i < front.size(); ++i)
@@ -109,7 +110,8 @@ Break breakDam(int across, int deep, int perSecond, double last) {
 
 TEST_CASE("liquid: a dam breaks as in the experiment", "[liquid]") {
     const Break found = breakDam(12, 6, 1000, 5);
-    const Match match225 = match(found.front, wide), match1125 = match(found.front, narrow);
+    const Match match225 = match(found.front, fronts225),
+                match1125 = match(found.front, fronts1125);
     note("time shift, 2.25 in", match225.shift);
     note("largest compression until the far wall", found.before);
     note("largest mean", found.mean);
@@ -120,7 +122,8 @@ TEST_CASE("liquid: a dam breaks as in the experiment", "[liquid]") {
 
 TEST_CASE("liquid: a finer dam breaks as in the experiment", "[liquid][long]") {
     const Break found = breakDam(24, 12, 1600, 9);
-    const Match match225 = match(found.front, wide), match1125 = match(found.front, narrow);
+    const Match match225 = match(found.front, fronts225),
+                match1125 = match(found.front, fronts1125);
     note("time shift, 2.25 in", match225.shift);
     note("time shift, 1.125 in", match1125.shift);
     note("largest compression after the far wall", found.after);
