@@ -4,6 +4,7 @@
 #include "basics/basics.h"
 #include "dress.h"
 #include "flag.h"
+#include "liquid/liquid.h"
 #include "slinky/slinky.h"
 
 #include <stdexcept>
@@ -95,6 +96,20 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
          .ingredients = {"stretch", "bend", "twist", "gravity"},
          .omissions = {"contact: damped, it does not swing back to where its turns meet"},
          .build = coil},
+        {.name = "dam-break",
+         .title = "Dam break",
+         .lesson = "Water is matter that keeps its volume: that alone makes a front run ahead, as "
+                   "fast as in the experiment of 1952",
+         .ingredients = {"density", "contact", "gravity"},
+         .omissions = {"viscosity and surface tension: it is large and quick",
+                       "air, which the crest of a breaking wave would enclose"},
+         .knobs = {{.name = "compression",
+                    .meaning = "of the water at rest, at most; substeps follow from it",
+                    .unit = "%",
+                    .value = 1,
+                    .low = 0.1,
+                    .high = 4}},
+         .build = damBreak},
         {.name = "dress",
          .title = "Ballerina's dress",
          .lesson = "Cloth that never passes through itself or the dancer, however she whirls",

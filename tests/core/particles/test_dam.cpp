@@ -115,8 +115,8 @@ TEST_CASE("liquid: a dam breaks as in the experiment", "[liquid]") {
     note("time shift, 2.25 in", match225.shift);
     note("largest compression until the far wall", found.before);
     note("largest mean", found.mean);
-    REQUIRE(report("front, 2.25 in, of its range", match225.error, 0.06));
-    REQUIRE(report("front, 1.125 in, of its range", match1125.error, 0.09));
+    REQUIRE(report("front, 2.25 in, of its range", match225.error, 0.04));
+    REQUIRE(report("front, 1.125 in, of its range", match1125.error, 0.07));
     REQUIRE(found.outside == 0);
 }
 

@@ -1,0 +1,10 @@
+// Scenes of liquids.
+#pragma once
+
+#include "../scene.h"
+
+namespace plait {
+
+Scene damBreak(const Knobs&);
+
+}  // namespace plait
