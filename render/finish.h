@@ -7,7 +7,7 @@
 
 namespace plait {
 
-enum class Family { cloth, metal, coat, skin, tulle, brushed, latex };
+enum class Family { cloth, metal, coat, skin, tulle, brushed, latex, water };
 
 // `numbers` is what the family's shader calls `finish`.
 struct Finish {
@@ -43,6 +43,8 @@ inline Finish finishOf(Material material) {
             return {Family::brushed, {0, 0.26f, 0.5f, 0.35f}};
         case Material::latex:
             return {Family::latex, {0.04f, 0.12f, 0.55f, 0.35f}};
+        case Material::water:
+            return {Family::water, {}};
     }
     return {Family::coat, {}};
 }

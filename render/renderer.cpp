@@ -67,8 +67,13 @@ Renderer::Renderer(const Scene& scene, const RenderOptions& options)
     key_ = lightDirection(pose, -50, 42);
     fill_ = lightDirection(pose, 65, 18);
     rim_ = lightDirection(pose, 150, 38);
-    for (const Look& look : view_.looks)
+    for (const Look& look : view_.looks) {
+        if (look.material == Material::water) {
+            if (water_) throw std::invalid_argument("view: more than one look is of water");
+            water_.emplace(look, prologue_, options.width, options.height);
+        }
         addSkin(Skin(scene.world.complex, scene.world.rest, look, pixelAt(pose)));
+    }
     for (const Prop& prop : view_.props) addSkin(Skin(prop));
 }
 
@@ -158,11 +163,27 @@ void Renderer::expose(const Moment& moment, const Overlay* overlay, const Camera
     drawBackdrop(shot);
     drawFaint(shot);
     drawVeils(shot);
+    copyCanvas();
+    if (water_) drawWater(shot);
+}
 
+void Renderer::copyCanvas() const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas_.framebuffer);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer);
     glBlitFramebuffer(0, 0, options_.width, options_.height, 0, 0, options_.width, options_.height,
                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+// Over all else, which it bends.
+void Renderer::drawWater(const Shot& shot) {
+    const WaterLens lens{shot.pose.eye, shot.pose.forward(), shot.camera, shot.pose.fieldOfView};
+    water_->find(lens, empty_);
+    canvas_.bind();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    setStage(water_->use(lens, resolved_.texture), shot.pose);
+    drawScreen(empty_);
+    copyCanvas();
 }
 
 void Renderer::update(std::span<const Vec<double>> positions, const Overlay* overlay,
@@ -176,6 +197,7 @@ void Renderer::update(std::span<const Vec<double>> positions, const Overlay* ove
         skins_[i].update(positions, tints, lens);
         uploadVertices(meshes_[i].vertices, skins_[i].vertices());
     }
+    if (water_) water_->update(positions);
     std::vector<const Skin*> veils;
     for (const Skin& skin : skins_)
         if (isVeil(skin)) veils.push_back(&skin);
@@ -263,6 +285,8 @@ const char* Renderer::familyShader(Family family) {
             return brushedShader;
         case Family::latex:
             return latexShader;
+        case Family::water:
+            break;
     }
     return coatShader;
 }

@@ -12,6 +12,7 @@
 #include "render/stage/floor_mirror.h"
 #include "render/stage/grade.h"
 #include "render/stage/shadow.h"
+#include "render/water/water.h"
 #include "scenes/scene.h"
 
 #include <map>
@@ -83,11 +84,13 @@ private:
     void update(std::span<const Vec<double>> positions, const Overlay* overlay, const Shot& shot);
     void findSubject(const Shot& shot);
     void renderShadows();
-    void drawCasters(const glm::mat4& matrix);
+    void drawCasters(const glm::mat4& matrix, float perMetre);
     void drawSkins(const Shot& shot);
     void drawMesh(std::size_t i) const;
     void drawFaint(const Shot& shot);
     void drawVeils(const Shot& shot);
+    void drawWater(const Shot& shot);
+    void copyCanvas() const;
     void useSurface(std::size_t i, const Shot& shot);
     const Program& surfaceProgram(std::size_t i, const Shot& shot);
     float pixelAt(const CameraPose& pose) const;
@@ -112,6 +115,7 @@ private:
     ShadowMap keyShadow_, skyShadow_;
     ShadowBlur keyCover_, skyCover_, skyMoments_;
     Veils veils_;
+    std::optional<Water> water_;
     std::optional<FloorMirror> mirror_;
     Target canvas_, resolved_, sum_;
     Program share_;

@@ -43,12 +43,15 @@ void Renderer::findSubject(const Shot& shot) {
         return p - (p.y - static_cast<float>(view_.groundHeight)) / key_.y * key_;
     };
     glm::vec3 low(1e30f), high(-1e30f);
+    const auto add = [&](const glm::vec3& p) {
+        if (!seen(p) && !(view_.ground && seen(shadow(p)))) return;
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    };
     for (const Skin& skin : skins_)
-        for (const MeshVertex& v : skin.vertices()) {
-            if (!seen(v.position) && !(view_.ground && seen(shadow(v.position)))) continue;
-            low = glm::min(low, v.position);
-            high = glm::max(high, v.position);
-        }
+        for (const MeshVertex& v : skin.vertices()) add(v.position);
+    if (water_)
+        for (const glm::vec3& p : water_->points()) add(p);
     if (low.x > high.x) low = high = glm::vec3(0);
     const float radius = std::max(0.5f * glm::length(high - low), 1e-3f);
     radius_ = std::exp2(std::ceil(4 * std::log2(radius)) / 4);
@@ -58,10 +61,15 @@ void Renderer::findSubject(const Shot& shot) {
 }
 
 void Renderer::renderShadows() {
-    const auto casters = [&](const glm::mat4& matrix) { drawCasters(matrix); };
+    // A map is as wide as the subject, and as many texels as these.
+    const auto casters = [&](float texels) {
+        return [this, texels](const glm::mat4& matrix) {
+            drawCasters(matrix, texels / (2 * radius_));
+        };
+    };
     const auto height = static_cast<float>(view_.groundHeight);
-    keyShadow_.render(key_, subject_, radius_, casters);
-    skyShadow_.render({0, 1, 0}, subject_, radius_, casters);
+    keyShadow_.render(key_, subject_, radius_, casters(512));
+    skyShadow_.render({0, 1, 0}, subject_, radius_, casters(256));
     if (view_.ground) {
         keyCover_.render(keyShadow_, height, empty_);
         skyCover_.render(skyShadow_, height, empty_);
@@ -70,7 +78,7 @@ void Renderer::renderShadows() {
     keyShadow_.compare();
 }
 
-void Renderer::drawCasters(const glm::mat4& matrix) {
+void Renderer::drawCasters(const glm::mat4& matrix, float perMetre) {
     depth_.use();
     depth_.set("matrix", matrix);
     const auto draw = [](const GpuMesh& mesh) {
@@ -79,6 +87,7 @@ void Renderer::drawCasters(const glm::mat4& matrix) {
     };
     for (std::size_t i = 0; i < skins_.size(); ++i)
         if (!isVeil(skins_[i])) draw(meshes_[i]);
+    if (water_) water_->drawShadow(matrix, perMetre);
     if (!netDepth_) return;
     netDepth_.use();
     netDepth_.set("matrix", matrix);

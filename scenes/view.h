@@ -27,8 +27,10 @@ struct Camera {
 // A tulle is a net: what lies behind it is seen, and dimmed by each layer; it is to be drawn by
 // triangles. Skin may wear satin where its look says so.
 // Brushed metal has a grain along its wire: its highlights are drawn out across it.
-// Latex lets through the more light the thinner it is drawn out: glossy and aglow where it is taut,
-// deep and matte where it is limp. It is to be drawn by triangles; their rest shape is the world's.
+// Water is a liquid of particles, of which `radius` is half the spacing; of a view one look may be
+// of it. Latex lets through the more light the thinner it is drawn out: glossy and aglow where it
+// is taut, deep and matte where it is limp. It is to be drawn by triangles; their rest shape is the
+// world's.
 enum class Material {
     silk,
     cotton,
@@ -42,6 +44,7 @@ enum class Material {
     skin,
     brushed,
     latex,
+    water,
 };
 
 // Of a wire: a rectangle of `along` by `across` its director, or, without the latter, a circle of
@@ -57,6 +60,13 @@ struct Section {
 struct Wall {
     double thickness = 0.25e-3;  // m, at rest
     double clear = 16e-6;        // m, at which what comes through has the look's colour
+};
+
+// A flat wall of glass that water lies against: of what is behind it, where the normal points,
+// nothing is drawn.
+struct Pane {
+    Vec<double> point;   // m
+    Vec<double> normal;  // of length 1
 };
 
 // How one object of the world is drawn: its triangles, or its curves as tubes of `radius`, or, with
@@ -76,6 +86,7 @@ struct Look {
     Section section = {};
     Range directors = {};  // of a wire, one an edge, beside its middle; none: a frame without twist
     Wall wall = {};        // of latex
+    std::vector<Pane> panes = {};  // of water, at most six
 };
 
 // What stands about and does not move, or moves as one rigid thing.

@@ -93,8 +93,8 @@ Target makeDepthTarget(int size) {
     return target;
 }
 
-Target makeSceneTarget(int width, int height) {
-    Target target = makeTarget(width, height, GL_RGBA16F);
+Target makeSceneTarget(int width, int height, GLenum internal) {
+    Target target = makeTarget(width, height, internal);
     target.depth = makeRenderbuffer(width, height, 0, GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT);
     requireComplete("a texture with depth");
     return target;

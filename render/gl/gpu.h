@@ -67,7 +67,8 @@ struct Target {
 };
 Target makeTarget(int width, int height, GLenum internal);
 Target makeDepthTarget(int size);
-Target makeSceneTarget(int width, int height);  // a texture of colour (RGBA16F), and depth
+Target makeSceneTarget(int width, int height,  // a texture of colour, and depth
+                       GLenum internal = GL_RGBA16F);
 Target makeMultisampledTarget(int width, int height, int samples);
 
 // A program of a vertex and a fragment shader; uniforms are set by name.

@@ -86,7 +86,7 @@ Skin::Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, 
     curves_ = polylines(edges, range_.size());
     if (look.section.along > 0) addWire(rest, look, pixel);
     for (int i = 0; i < range_.size(); ++i)
-        if (!covered[i]) balls_.push_back(i);
+        if (!covered[i] && material_ != Material::water) balls_.push_back(i);
     if (!balls_.empty()) ball_ = sphere({.subdivisions = 2, .radius = look.radius});
     update(rest);
 }

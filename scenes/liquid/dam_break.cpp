@@ -113,10 +113,15 @@ std::vector<Metric> metricsOf(const Liquid& liquid) {
 }
 
 View viewOf(const Range& water, double spacing) {
-    View view = plait::viewOf({water}, {tank / 2, 0.75, depth / 2}, tank, Material::rubber,
+    View view = plait::viewOf({water}, {tank / 2, 0.75, depth / 2}, tank, Material::water,
                               {0.22, 0.2, 1.2});
     view.looks[0].radius = 0.5 * spacing;
-    view.looks[0].color = {0.02, 0.16, 0.32};
+    view.looks[0].color = {0.03, 0.2, 0.28};
+    view.looks[0].panes = {{{0, 0, 0}, {0, -1, 0}},
+                           {{0, 0, 0}, {-1, 0, 0}},
+                           {{tank, 0, 0}, {1, 0, 0}},
+                           {{0, 0, 0}, {0, 0, -1}},
+                           {{0, 0, depth}, {0, 0, 1}}};
     view.groundHeight = 0;
     constexpr double rail = 0.012;
     for (const double z : {0.0, depth}) {
