@@ -143,6 +143,7 @@ uniform mat4 camera, unproject;
 uniform vec3 forward;
 uniform sampler2D depths, thicknesses, behind;
 uniform vec3 swallow;  // 1/m
+uniform float spacing;  // m
 uniform vec3 color;
 in vec2 place;
 out vec4 result;
@@ -155,13 +156,18 @@ vec3 rayAt(vec2 p) {
 
 vec3 pointAt(vec2 p, float depth) { return eye + depth * rayAt(p); }
 
-// The smaller of the two differences: across a silhouette the other is that to another surface.
+// The smaller of the two differences: across an outline the other is that to another surface. Where
+// both are, or there is none, it counts as upright to the eye.
 vec3 slope(vec3 at, vec2 by) {
     float ahead = texture(depths, place + by).r, back = texture(depths, place - by).r;
+    float depth = dot(at - eye, forward), most = .5 * spacing;
+    bool noneAhead = ahead <= 0.0 || abs(ahead - depth) > most;
+    bool noneBack = back <= 0.0 || abs(back - depth) > most;
+    if (noneAhead && noneBack) return pointAt(place + by, depth) - at;
     vec3 a = pointAt(place + by, ahead) - at, b = at - pointAt(place - by, back);
-    if (ahead <= 0.0) return b;
-    if (back <= 0.0) return a;
-    return abs(dot(a, forward)) < abs(dot(b, forward)) ? a : b;
+    if (noneAhead) return b;
+    if (noneBack) return a;
+    return abs(ahead - depth) < abs(back - depth) ? a : b;
 }
 
 float fifthOf(float a) { return a * square(square(a)); }
@@ -174,8 +180,9 @@ void main() {
     vec3 n = normalize(cross(slope(at, vec2(pixel.x, 0)), slope(at, vec2(0, pixel.y))));
     vec3 v = normalize(eye - at);
     float nv = dot(n, v);
-    if (nv < .02) n = normalize(n + (.02 - nv) * v);
-    nv = max(dot(n, v), .02);
+    // At an outline differences say little: there it counts as not quite grazed.
+    if (nv < .2) n = normalize(n + (.2 - nv) * v);
+    nv = max(dot(n, v), .2);
 
     float thick = texture(thicknesses, place).r;
     vec3 inside = refract(-v, n, 1.0 / 1.33);
@@ -183,8 +190,11 @@ void main() {
     vec4 out4 = camera * vec4(at + min(thick, .6) * inside, 1);
     vec2 bent = clamp(.5 + .5 * out4.xy / out4.w, vec2(.001), vec2(.999));
     vec3 through = exp(-swallow * thick);
-    float part = 1.0 - exp(-6.0 * thick / .1);  // the last film has hardly a surface
-    vec3 seen = texture(behind, mix(place, bent, part)).rgb;
+    // An outline is where hardly any water is left, rather than where the last ball ends.
+    float part = smoothstep(.12, .5, thick / spacing), around = 0.0;
+    for (int i = 0; i < 9; ++i) around += step(1e-6, texture(depths, place + pixel * (vec2(i % 3, i / 3) - 1.0)).r);
+    part *= smoothstep(4.0, 9.0, around);
+    vec3 straight = texture(behind, place).rgb, seen = texture(behind, bent).rgb;
     vec3 scattered = color * (bright * skyColor + .5 * keyColor * max(keyDirection.y, 0.0) +
                               .6 * backdrop(-v, 1.0) + .3 * rimColor * max(dot(-v, rimDirection), 0.0));
     vec3 r = reflect(-v, n);
@@ -192,7 +202,7 @@ void main() {
     float glint = 40.0 * pow(max(dot(r, keyDirection), 0.0), 900.0) + 1.5 * pow(max(dot(r, keyDirection), 0.0), 60.0);
     float rim = 12.0 * pow(max(dot(r, rimDirection), 0.0), 300.0);
     vec3 mirrored = backdrop(r, .05) + bright * skyColor * max(r.y, 0.0) + glint * keyColor + rim * rimColor;
-    result = vec4(mix(mix(scattered, seen, through), mirrored, part * fresnel), 1);
+    result = vec4(mix(straight, mix(mix(scattered, seen, through), mirrored, fresnel), part), 1);
     vec4 clip = camera * vec4(at, 1);
     gl_FragDepth = .5 + .5 * clip.z / clip.w;
 }

@@ -1,5 +1,6 @@
 #include "water.h"
 
+#include "render/shaders/shadow.h"
 #include "render/shaders/water.h"
 
 #include <algorithm>
@@ -30,16 +31,18 @@ Water::Water(const Look& look, const std::string& prologue, int width, int heigh
       thickness_(dropVertexShader, std::string(dropShader) + dropThicknessShader),
       shadow_(dropShadowVertexShader, dropShadowShader),
       smooth_(waterVertexShader, narrowShader),
+      blur_(blurVertexShader, blurShader),
       surface_(waterVertexShader, prologue + waterShader),
       depths_(makeSceneTarget(width, height, GL_R32F)),
       across_(makeTarget(width, height, GL_R32F)),
       smoothed_(makeTarget(width, height, GL_R32F)),
       thicknesses_(makeTarget(std::max(width / 2, 1), std::max(height / 2, 1), GL_R32F)),
+      blurred_(makeTarget(thicknesses_.width, thicknesses_.height, GL_R32F)),
       array_(makeVertexArray()),
       buffer_(makeBuffer()) {
     if (look.panes.size() > mostPanes) throw std::invalid_argument("look: has more than six panes");
     // By which a metre of it swallows light, by channel: all but what it looks like.
-    swallow_ = 1.2f * (1.0f - color_ / std::max({color_.r, color_.g, color_.b, 1e-6f}));
+    swallow_ = 1.8f * (1.0f - color_ / std::max({color_.r, color_.g, color_.b, 1e-6f}));
     for (const Pane& pane : look.panes)
         panes_.emplace_back(toGlm(pane.normal), static_cast<float>(dot(pane.normal, pane.point)));
     glBindVertexArray(array_);
@@ -50,7 +53,11 @@ Water::Water(const Look& look, const std::string& prologue, int width, int heigh
 
 void Water::update(std::span<const Vec<double>> positions) {
     points_.clear();
-    for (int i = range_.first; i < range_.last; ++i) points_.push_back(toGlm(positions[i]));
+    middle_ = glm::vec3(0);
+    for (int i = range_.first; i < range_.last; ++i) {
+        points_.push_back(toGlm(positions[i]));
+        middle_ += points_.back() / static_cast<float>(range_.size());
+    }
     glBindBuffer(GL_ARRAY_BUFFER, buffer_);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(points_.size() * sizeof(glm::vec3)),
                  points_.data(), GL_STREAM_DRAW);
@@ -112,6 +119,7 @@ void Water::find(const WaterLens& lens, const VertexArray& empty) const {
     glDrawArrays(GL_POINTS, 0, count);
     glDisable(GL_BLEND);
     glDisable(GL_PROGRAM_POINT_SIZE);
+    blur(lens, empty);
 
     smooth_.use();
     smooth_.set("pixels", pixels(lens));
@@ -122,6 +130,22 @@ void Water::find(const WaterLens& lens, const VertexArray& empty) const {
     smooth(across_, smoothed_, {0, pixel.y}, empty);
     smooth(smoothed_, across_, {pixel.x, 0}, empty);
     smooth(across_, smoothed_, {0, pixel.y}, empty);
+}
+
+// Along a ray balls are as many as chance has them.
+void Water::blur(const WaterLens& lens, const VertexArray& empty) const {
+    const float away = std::max(glm::dot(middle_ - lens.eye, lens.forward), spacing_);
+    const glm::vec2 pixel = 1.0f / glm::vec2(thicknesses_.width, thicknesses_.height);
+    const float step = std::min(0.25f * spacing_ * pixels(lens) / away, 3.0f);
+    blur_.use();
+    const auto along = [&](const Target& from, const Target& to, const glm::vec2& by) {
+        to.bind();
+        blur_.set("source", 0, from.texture);
+        blur_.set("step", by);
+        drawScreen(empty);
+    };
+    along(thicknesses_, blurred_, {step * pixel.x, 0});
+    along(blurred_, thicknesses_, {0, step * pixel.y});
 }
 
 void Water::smooth(const Target& from, const Target& to, const glm::vec2& step,
@@ -139,6 +163,7 @@ const Program& Water::use(const WaterLens& lens, const Texture& behind) const {
     surface_.set("forward", lens.forward);
     surface_.set("swallow", swallow_);
     surface_.set("color", color_);
+    surface_.set("spacing", spacing_);
     surface_.set("depths", 12, smoothed_.texture);
     surface_.set("thicknesses", 13, thicknesses_.texture);
     surface_.set("behind", 14, behind);

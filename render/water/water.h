@@ -42,6 +42,7 @@ public:
 
 private:
     void setDrops(const Program& program, const WaterLens& lens, const Target& target) const;
+    void blur(const WaterLens& lens, const VertexArray& empty) const;
     void smooth(const Target& from, const Target& to, const glm::vec2& step,
                 const VertexArray& empty) const;
     float pixels(const WaterLens& lens) const;
@@ -51,11 +52,12 @@ private:
     glm::vec3 color_, swallow_;
     std::vector<glm::vec4> panes_;
     int height_;
-    Program depth_, thickness_, shadow_, smooth_, surface_;
-    Target depths_, across_, smoothed_, thicknesses_;
+    Program depth_, thickness_, shadow_, smooth_, blur_, surface_;
+    Target depths_, across_, smoothed_, thicknesses_, blurred_;
     VertexArray array_;
     Buffer buffer_;
     std::vector<glm::vec3> points_;
+    glm::vec3 middle_{0};  // of the points
 };
 
 }  // namespace plait

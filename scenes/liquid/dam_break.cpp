@@ -113,10 +113,10 @@ std::vector<Metric> metricsOf(const Liquid& liquid) {
 }
 
 View viewOf(const Range& water, double spacing) {
-    View view = plait::viewOf({water}, {tank / 2, 0.75, depth / 2}, tank, Material::water,
-                              {0.22, 0.2, 1.2});
+    View view = plait::viewOf({water}, {tank / 2, 1.05, depth / 2}, tank, Material::water,
+                              {0.2, 0.27, 1.3});
     view.looks[0].radius = 0.5 * spacing;
-    view.looks[0].color = {0.03, 0.2, 0.28};
+    view.looks[0].color = {0.03, 0.15, 0.27};
     view.looks[0].panes = {{{0, 0, 0}, {0, -1, 0}},
                            {{0, 0, 0}, {-1, 0, 0}},
                            {{tank, 0, 0}, {1, 0, 0}},
