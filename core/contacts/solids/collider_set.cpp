@@ -52,12 +52,14 @@ ColliderSet<Real>::ColliderSet(const World& world, const std::vector<Collider>& 
                     {v, static_cast<int>(s), thicknessAt(surfaces[s], v), !onTriangle[v]});
     rows_.resize(members_.size() * bodies_.size());
     free_.resize(rows_.size());
+    reach_.resize(members_.size());
     kick_.resize(members_.size());
     bent_.resize(members_.size());
 }
 
 template <class Real>
 void ColliderSet<Real>::beginFrame(double t0, double t1) {
+    std::ranges::fill(reach_, Reach{.written = true});  // where vertices are may be another state's
     for (Body& body : bodies_) {
         if (!body.collider.motion) continue;
         body.from = body.now = Placement(body.collider.motion(t0), options_.name);
@@ -70,6 +72,7 @@ template <class Real>
 void ColliderSet<Real>::begin(const Substep& substep, Workers&) {
     h_ = substep.h;
     ready_ = false;
+    moving_ = false;
     for (Body& body : bodies_) {
         if (!body.collider.motion) continue;
         body.before = body.now;
@@ -78,6 +81,7 @@ void ColliderSet<Real>::begin(const Substep& substep, Workers&) {
         const Vec<double> x = b.x - a.x, y = b.y - a.y, z = b.z - a.z;
         body.way = length(b.at - a.at);
         body.twist = squareRoot(dot(x, x) + dot(y, y) + dot(z, z));
+        moving_ = moving_ || body.way > 0 || body.twist > 0;
     }
 }
 
@@ -93,26 +97,56 @@ double ColliderSet<Real>::gapOf(const Member& member, const Side& start) const {
     return std::min(member.thickness, start.distance + options_.recovery * h_);
 }
 
+// Part of a thickness beyond it within which something sticks.
+constexpr double stickyPart = 0.05;
+
 template <class Real>
 void ColliderSet<Real>::prepare(const Sweep<Real>& sweep, Workers& workers) {
     workers.forBlocks(static_cast<int>(members_.size()), grain, [&](int begin, int end) {
         for (int m = begin; m < end; ++m) {
-            const Member& member = members_[m];
+            Reach& reach = reach_[m];
             bent_[m] = 0;
-            const Vec<double> start = three(sweep.particles + 8 * member.vertex) +
-                                      three(sweep.before + 4 * member.vertex);
-            for (std::size_t b = 0; b < bodies_.size(); ++b) {
-                const Body& body = bodies_[b];
-                const Vec<double> p = body.before.own(start);
-                const double distance = sideOf(body.collider.solid, p).distance;
-                const bool sticks = distance <= 1.05 * member.thickness && hold(member, body) > 0;
-                const double room = distance - member.thickness - body.way - body.twist * length(p);
-                rows_[m * bodies_.size() + b] = {};
-                free_[m * bodies_.size() + b] = sticks || room <= 0 ? 0 : room * room;
-            }
+            if (reach.written)
+                for (std::size_t b = 0; b < bodies_.size(); ++b) rows_[m * bodies_.size() + b] = {};
+            reach.written = reach.measured = false;
+            reach.clear = reach.room * reach.room;
+            if (moving_ || reach.room <= 2 * stickyPart * members_[m].thickness) measure(sweep, m);
         }
     });
     ready_ = true;
+}
+
+// How far a vertex may go, body by body.
+template <class Real>
+void ColliderSet<Real>::measure(const Sweep<Real>& sweep, int m) {
+    const Member& member = members_[m];
+    const Vec<double> start =
+        three(sweep.particles + 8 * member.vertex) + three(sweep.before + 4 * member.vertex);
+    Reach& reach = reach_[m];
+    reach.measured = true;
+    reach.clear = reach.room = infinity;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const Body& body = bodies_[b];
+        const Vec<double> p = body.before.own(start);
+        const double distance = sideOf(body.collider.solid, p).distance;
+        const bool sticks =
+            distance <= (1 + stickyPart) * member.thickness && hold(member, body) > 0;
+        const double room = distance - member.thickness - body.way - body.twist * length(p);
+        const double free = sticks || room <= 0 ? 0 : room * room;
+        free_[m * bodies_.size() + b] = free;
+        reach.clear = std::min(reach.clear, free);
+        reach.room = std::min(reach.room, std::max(room, 0.0));
+    }
+}
+
+// False: a vertex moved too little to come near any body, and was not pushed.
+template <class Real>
+bool ColliderSet<Real>::mayTouch(const Sweep<Real>& sweep, int m) {
+    const int v = members_[m].vertex;
+    const Vec<double> way = three(sweep.particles + 8 * v + 4) - three(sweep.before + 4 * v);
+    if (dot(way, way) < reach_[m].clear) return false;
+    if (!reach_[m].measured) measure(sweep, m);
+    return !(dot(way, way) < reach_[m].clear);
 }
 
 // Where the vertex is nearest now, unless it has gone in, or through, on another side: then it
@@ -161,6 +195,8 @@ bool ColliderSet<Real>::part(const Sweep<Real>& sweep, int m, std::size_t b) {
         held > 0 && sideOf(body.collider.solid, start).distance <= 1.05 * member.thickness;
     if (row.push == 0 && !sticks && plane.value(end) >= 0) return false;
     row.plane = plane;
+    reach_[m].written = true;
+    reach_[m].clear = 0;
     const Answer answer{double(p[3]), sweep.air
                                           ? body.now.ownWay(three(sweep.air + 4 * member.vertex))
                                           : Vec<double>{}};
@@ -191,7 +227,7 @@ void ColliderSet<Real>::project(const Sweep<Real>& sweep, Direction direction, W
     const std::size_t count = bodies_.size();
     workers.forBlocks(static_cast<int>(members_.size()), grain, [&](int begin, int end) {
         for (int m = begin; m < end; ++m)
-            for (std::size_t b = 0; b < count; ++b)
+            for (std::size_t b = 0; b < count && mayTouch(sweep, m); ++b)
                 part(sweep, m, direction == Direction::forward ? b : count - 1 - b);
     });
 }
@@ -246,7 +282,7 @@ long ColliderSet<Real>::whereItPasses(const Sweep<Real>& sweep, Workers& workers
     workers.forBlocks(static_cast<int>(members_.size()), grain, [&](int begin, int end) {
         long count = 0;
         for (int m = begin; m < end; ++m)
-            for (std::size_t b = 0; b < bodies_.size(); ++b)
+            for (std::size_t b = 0; b < bodies_.size() && mayTouch(sweep, m); ++b)
                 if (passes(sweep, m, b)) count += act(m, b);
         sum += count;
     });
@@ -281,9 +317,16 @@ void ColliderSet<Real>::conclude(const Sweep<Real>& sweep, Workers& workers) {
     std::atomic<long> pressed{0};
     workers.forBlocks(static_cast<int>(members_.size()), grain, [&](int begin, int end) {
         long count = 0;
-        for (int m = begin; m < end; ++m)
-            for (std::size_t b = 0; members_[m].isRound && b < bodies_.size(); ++b)
-                count += isPressed(sweep, m, b);
+        for (int m = begin; m < end; ++m) {
+            if (mayTouch(sweep, m) && members_[m].isRound)
+                for (std::size_t b = 0; b < bodies_.size(); ++b) count += isPressed(sweep, m, b);
+            const int v = members_[m].vertex;
+            const Vec<double> way =
+                three(sweep.particles + 8 * v + 4) - three(sweep.before + 4 * v);
+            // What is left of it, less what rounding may have added.
+            const double left = reach_[m].room - (1 + 1e-6) * length(way);
+            reach_[m].room = moving_ ? 0 : std::max(left, 0.0);
+        }
         pressed += count;
     });
     failed_ += pressed;

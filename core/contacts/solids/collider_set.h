@@ -58,6 +58,8 @@ private:
     };
 
     void prepare(const Sweep<Real>& sweep, Workers& workers);
+    void measure(const Sweep<Real>& sweep, int member);
+    bool mayTouch(const Sweep<Real>& sweep, int member);
     double hold(const Member& member, const Body& body) const;
     double gapOf(const Member& member, const Side& start) const;
     Plane touch(const Member& member, const Body& body, const Vec<double>& start,
@@ -78,11 +80,19 @@ private:
     std::vector<Member> members_;  // vertices that move
     std::vector<Row> rows_;        // a member's one after the other, by body
     std::vector<double> free_;     // by row, m^2: how far it may go before it can touch, squared
+    // By member: the least of these; whether they are of this substep, or not looked at because it
+    // is `room` (m, at least) away from all; whether one of its rows was written.
+    struct Reach {
+        double clear = 0, room = 0;
+        bool measured = false, written = false;
+    };
+    std::vector<Reach> reach_;
     bool bouncy_ = false;
     std::vector<Vec<double>> kick_;   // by member, m/s: by which a bounce is faster than its step
     std::vector<std::uint8_t> bent_;  // by member
     double h_ = 0;                    // s
     bool ready_ = false;              // rows_ are those of this substep
+    bool moving_ = false;             // a body moves in it
     // Times that a vertex was left inside, one that is round within a quarter of its thickness, or
     // that one had more bounces than are followed.
     long failed_ = 0;

@@ -55,8 +55,9 @@ Match match(const Front& found, const Front& measured) {
 
 struct Break {
     Front front;
-    double before = 0, after = 0, mean = 0;  // compression: largest until the far wall, and later
-    double outside = 0;                      // m, how far any particle is behind a wall
+    // Compression: largest until the far wall, and later; of all but a thousandth; the mean.
+    double before = 0, after = 0, common = 0, mean = 0;
+    double outside = 0;  // m, how far any particle is behind a wall
 };
 
 // Of `across` spacings by twice as many, and `deep`; until time `last`.
@@ -93,7 +94,7 @@ Break breakDam(int across, int deep, int perSecond, double last) {
         while (2 * columns[front] >= deep) ++front;
         found.front.push_back({solver.time() / unit, static_cast<double>(front) * spacing});
         double largest = 0, mean = 0;
-        const std::vector<double> ratios = densityRatios(flood.liquid, x);
+        std::vector<double> ratios = densityRatios(flood.liquid, x);
         for (const double ratio : ratios) {
             largest = std::max(largest, ratio - 1);
             mean += std::max(ratio - 1, 0.0) / static_cast<double>(ratios.size());
@@ -102,6 +103,9 @@ Break breakDam(int across, int deep, int perSecond, double last) {
         double& most = arrived ? found.after : found.before;
         most = std::max(most, largest);
         found.mean = std::max(found.mean, mean);
+        const auto rank = ratios.end() - 1 - static_cast<std::ptrdiff_t>(ratios.size() / 1000);
+        std::ranges::nth_element(ratios, rank);
+        found.common = std::max(found.common, *rank - 1);
     }
     return found;
 }
@@ -121,15 +125,16 @@ TEST_CASE("liquid: a dam breaks as in the experiment", "[liquid]") {
 }
 
 TEST_CASE("liquid: a finer dam breaks as in the experiment", "[liquid][long]") {
-    const Break found = breakDam(24, 12, 1600, 9);
+    const Break found = breakDam(24, 12, 2200, 9);
     const Match match225 = match(found.front, fronts225),
                 match1125 = match(found.front, fronts1125);
     note("time shift, 2.25 in", match225.shift);
     note("time shift, 1.125 in", match1125.shift);
     note("largest compression after the far wall", found.after);
+    note("of all but a thousandth of particles", found.common);
     note("largest mean", found.mean);
     REQUIRE(report("front, 2.25 in, of its range", match225.error, 0.04));
     REQUIRE(report("front, 1.125 in, of its range", match1125.error, 0.07));
-    REQUIRE(report("largest compression until the far wall", found.before, 0.0125));
+    REQUIRE(report("largest compression until the far wall", found.before, 0.01));
     REQUIRE(found.outside == 0);
 }
