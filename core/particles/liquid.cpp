@@ -20,6 +20,10 @@ Surface surfaceOf(const Liquid& liquid) {
 
 double kernelRadius(const Liquid& liquid) { return radiusInSpacings * liquid.spacing; }
 
+Shades shadesOf(const Liquid& liquid) {
+    return Walls::shadesOf(liquid.walls, kernelRadius(liquid));
+}
+
 double restCompression(const Liquid& liquid, double depth, double gravity, double h) {
     return 0.475 * gravity * depth * h * h / (liquid.relaxation * liquid.spacing * liquid.spacing);
 }
@@ -30,7 +34,7 @@ std::vector<double> densityRatios(const Liquid& liquid, std::span<const Vec<doub
     Cells<double> cells;
     const Range range = liquid.particles;
     const double radius = kernelRadius(liquid);
-    Walls walls(liquid.walls, radius, "walls");
+    Walls walls(liquid.walls, radius, "walls", liquid.shades);
     walls.beginFrame(t, t);
     walls.begin({0, 0});
     cells.sort(
@@ -57,11 +61,13 @@ void holdDensity(World& world, const Liquid& liquid, SetOptions options) {
         refuse("its particles are not in the world");
     if (!(liquid.spacing > 0) || !std::isfinite(liquid.spacing)) refuse("spacing is above 0");
     if (!(liquid.relaxation > 0 && liquid.relaxation < 1)) refuse("relaxation is in (0, 1)");
-    Walls(liquid.walls, kernelRadius(liquid), options.name);
-    const auto make = [liquid, name = options.name]<class Real>(
+    Liquid shaded = liquid;
+    shaded.shades = shadesOf(liquid);
+    Walls(liquid.walls, kernelRadius(liquid), options.name, shaded.shades);
+    const auto make = [shaded, name = options.name]<class Real>(
                           const World& made,
                           KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
-        return std::make_unique<LiquidSet<Real>>(made, liquid, name, kernels);
+        return std::make_unique<LiquidSet<Real>>(made, shaded, name, kernels);
     };
     world.constrain(recipeOf<Constraint>(make), std::move(options));
 }

@@ -10,6 +10,7 @@
 #include "../contacts/solids/collider.h"
 #include "../contacts/surface.h"
 #include "../world.h"
+#include "walls.h"
 
 #include <span>
 #include <vector>
@@ -23,6 +24,7 @@ struct Liquid {
     // say, collide(world, walls, {surfaceOf(liquid)}, ...). Solids no thinner than two spacings:
     // through a thinner one either side would press on the other.
     std::vector<Collider> walls = {};
+    Shades shades = {};  // of turned walls: shadesOf(), or worked out each time they are needed
     // Part of a correction that is applied. At 0.5 a liquid at rest rings for ever, the limit of
     // explicit stability; below 0.35 that dies out.
     double relaxation = 0.25;
@@ -35,6 +37,9 @@ Surface surfaceOf(const Liquid& liquid);
 
 // m; how far particles see.
 double kernelRadius(const Liquid& liquid);
+
+// What turned walls hide of a liquid's particles: a second of work for each.
+Shades shadesOf(const Liquid& liquid);
 
 // The largest part by which a liquid at rest of this depth (m) is compressed, under gravity
 // (m/s^2), in substeps of h (s); the mean is a fifth of it.

@@ -33,7 +33,7 @@ LiquidSet<Real>::LiquidSet(const World& world, const Liquid& liquid, const std::
       origin_(as<Real>(world.start[liquid.particles.first])),
       radius_(static_cast<Real>(kernelRadius(liquid))),
       relaxation_(static_cast<Real>(liquid.relaxation)),
-      walls_(liquid.walls, kernelRadius(liquid), name),
+      walls_(liquid.walls, kernelRadius(liquid), name, liquid.shades),
       kernels_(liquidKernels<Real>(kernels)) {
     // Where particles fall into one there is next to no gradient: then a correction has no more
     // than twenty times the multiplier of ordinary water.

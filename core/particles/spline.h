@@ -22,6 +22,14 @@ struct CubicSpline {
         return 24 * u * u - 6 * t * t;
     }
 
+    // The part of its integral over a cone that lies beyond q of its tip.
+    static double beyondInCone(double q) {
+        const double t = q < 1 ? 1 - q : 0, u = q < 0.5 ? 0.5 - q : 0;
+        const double t4 = t * t * t * t, u4 = u * u * u * u;
+        return 32 *
+               (2 * t4 * (0.25 - 0.4 * t + t * t / 6) - 8 * u4 * (0.0625 - 0.2 * u + u * u / 6));
+    }
+
     // The part of its integral that lies beyond a plane, s radii away; below 0 behind it.
     static double beyond(double s) {
         if (s < 0) return 1 - beyond(-s);

@@ -6,11 +6,23 @@
 
 namespace plait {
 
-Walls::Walls(const std::vector<Collider>& colliders, double radius, const std::string& who)
+Shades Walls::shadesOf(const std::vector<Collider>& colliders, double radius) {
+    Shades shades;
+    for (const Collider& c : colliders)
+        shades.push_back(c.solid.profile
+                             ? std::make_shared<const TurnedShade>(*c.solid.profile, radius)
+                             : nullptr);
+    return shades;
+}
+
+Walls::Walls(const std::vector<Collider>& colliders, double radius, const std::string& who,
+             const Shades& shades)
     : radius_(radius), who_(who) {
-    for (const Collider& c : colliders) {
+    const Shades made = shades.size() == colliders.size() ? shades : shadesOf(colliders, radius);
+    for (std::size_t i = 0; i < colliders.size(); ++i) {
+        const Collider& c = colliders[i];
         const Placement at(c.motion ? c.motion(0) : c.frame, who);
-        bodies_.push_back({c, at, at, {}, at});
+        bodies_.push_back({c, at, at, {}, at, made[i]});
     }
 }
 
@@ -31,7 +43,14 @@ void Walls::begin(const Substep& substep) {
 
 // A box is where three slabs meet: the product of their parts. What is round counts as the plane
 // that touches it where it is nearest, which is right for radii much larger than the kernel's.
-Shade Walls::of(const Solid& solid, const Vec<double>& p) const {
+Shade Walls::of(const Body& body, const Vec<double>& p) const {
+    if (body.shade) {
+        const double r = squareRoot(p.x * p.x + p.z * p.z);
+        const TurnedShade::At at = body.shade->at(r, p.y);
+        const double outward = divide(at.byRadius, r);
+        return {at.part, {outward * p.x, at.byHeight, outward * p.z}};
+    }
+    const Solid& solid = body.collider.solid;
     const bool flat = !solid.halfSpace && solid.radius == 0;
     if (flat) return ofBox(solid.half, p);
     const Side side = sideOf(solid, p);
@@ -57,7 +76,7 @@ Shade Walls::at(const Vec<double>& point) const {
     double open = 1;
     Vec<double> gradient{0, 0, 0};
     for (const Body& body : bodies_) {
-        const Shade one = of(body.collider.solid, body.now.own(point));
+        const Shade one = of(body, body.now.own(point));
         gradient = (1 - one.part) * gradient + open * body.now.worldWay(one.gradient);
         open *= 1 - one.part;
     }

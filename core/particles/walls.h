@@ -4,7 +4,9 @@
 
 #include "../constraint.h"
 #include "../contacts/solids/collider.h"
+#include "turned_shade.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,14 +17,18 @@ struct Shade {
     Vec<double> gradient{0, 0, 0};  // 1/m, of the part
 };
 
+using Shades = std::vector<std::shared_ptr<const TurnedShade>>;
+
 // Parts of several walls are taken together as if each cut the kernel by itself, 1 - prod(1 - f):
 // exact for planes at right angles to 1.7 % of the whole; their sum would be 3 % too much at an
 // edge and 10 % in a corner.
 class Walls {
 public:
-    // `radius` (m) is that of the kernel. Throws std::invalid_argument, naming `who`, for what is
-    // no frame.
-    Walls(const std::vector<Collider>& colliders, double radius, const std::string& who);
+    // `radius` (m) is that of the kernel; `shades` are those of turned walls, by collider, and made
+    // where there are none. Throws std::invalid_argument, naming `who`, for what is no frame.
+    Walls(const std::vector<Collider>& colliders, double radius, const std::string& who,
+          const Shades& shades = {});
+    static Shades shadesOf(const std::vector<Collider>& colliders, double radius);
 
     // As those of a Constraint: walls move with their colliders.
     void beginFrame(double t0, double t1);
@@ -40,8 +46,9 @@ private:
         Placement from, to;  // at the ends of the base step
         Vec<double> turn;    // rad, in it
         Placement now;       // at the end of the substep
+        std::shared_ptr<const TurnedShade> shade;
     };
-    Shade of(const Solid& solid, const Vec<double>& p) const;
+    Shade of(const Body& body, const Vec<double>& p) const;
     Shade ofBox(const Vec<double>& half, const Vec<double>& p) const;
 
     double radius_;

@@ -1,19 +1,22 @@
-// Smooth solids with a formula, in axes of their own: how far a point is from one, on which side,
-// and when a straight path first comes near it.
+// Solids in axes of their own: how far a point is from one, on which side, and when a straight path
+// first comes near it.
 #pragma once
 
 #include "../../numbers/math.h"
+#include "profile.h"
 
+#include <memory>
 #include <optional>
 
 namespace plait {
 
 // All that is within `radius` of a box around the origin, its sides along the axes; or all that is
-// not above y = 0. Lengths in m, at least 0.
+// not above y = 0; or what a profile encloses, turned around y. Lengths in m, at least 0.
 struct Solid {
     Vec<double> half{};  // of the box: how far it reaches along each axis
     double radius = 0;
     bool halfSpace = false;
+    std::shared_ptr<const Profile> profile{};
 
     static Solid plane() { return {.halfSpace = true}; }
     static Solid sphere(double radius) { return {.radius = radius}; }
@@ -23,6 +26,9 @@ struct Solid {
     }
     static Solid box(double width, double height, double depth) {
         return {.half = {0.5 * width, 0.5 * height, 0.5 * depth}};
+    }
+    static Solid turned(Profile profile) {
+        return {.profile = std::make_shared<const Profile>(std::move(profile))};
     }
 };
 
