@@ -10,6 +10,9 @@ constexpr int extentBlock = 4096;  // particles, the same for any number of thre
 // Wider than what is seen by more than rounding takes from a coordinate of a thousand cells.
 constexpr double slack = 1.001;
 
+// With the empty ones around.
+double mostCells(int particles) { return 8.0 * particles + 4096; }
+
 template <class Real>
 Vec<Real> lesser(const Vec<Real>& a, const Vec<Real>& b) {
     return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
@@ -22,9 +25,8 @@ Vec<Real> greater(const Vec<Real>& a, const Vec<Real>& b) {
 
 }  // namespace
 
-// The box of all; where it has too many cells its longest side shrinks towards the mean.
 template <class Real>
-void Cells<Real>::choose(Real reach, Workers& workers) {
+auto Cells<Real>::extentOfAll(Workers& workers) -> Extent {
     const int n = count();
     extents_.resize((n + extentBlock - 1) / extentBlock);
     workers.forBlocks(static_cast<int>(extents_.size()), 1, [&](int begin, int end) {
@@ -45,14 +47,21 @@ void Cells<Real>::choose(Real reach, Workers& workers) {
         all.high = greater(all.high, extents_[b].high);
         all.sum += extents_[b].sum;
     }
+    return all;
+}
+
+// The box of all; where it has too many cells its longest side shrinks towards the mean.
+template <class Real>
+void Cells<Real>::choose(Real reach, Workers& workers) {
+    const int n = count();
+    const Extent all = extentOfAll(workers);
     width_ = static_cast<Real>(slack) * reach;
     perWidth_ = 1 / width_;
     const double mean[3] = {all.sum.x / n, all.sum.y / n, all.sum.z / n};
     double low[3] = {double(all.low.x), double(all.low.y), double(all.low.z)};
     double high[3] = {double(all.high.x), double(all.high.y), double(all.high.z)};
-    const auto cells = [&](int a) { return std::floor((high[a] - low[a]) / double(width_)) + 1; };
-    const double most = 8.0 * n + 512;
-    while (cells(0) * cells(1) * cells(2) > most) {
+    const auto cells = [&](int a) { return std::floor((high[a] - low[a]) / double(width_)) + 3; };
+    while (cells(0) * cells(1) * cells(2) > mostCells(n)) {
         int a = cells(1) > cells(0) ? 1 : 0;
         if (cells(2) > cells(a)) a = 2;
         low[a] += 0.5 * std::max(mean[a] - low[a], 0.0);
@@ -61,7 +70,7 @@ void Cells<Real>::choose(Real reach, Workers& workers) {
     for (int a = 0; a < 3; ++a) {
         const bool sound = high[a] - low[a] < 1e9 * double(width_);
         low_[a] = sound ? static_cast<Real>(low[a]) : Real(0);
-        size_[a] = sound ? static_cast<int>(cells(a)) + 2 : 3;
+        size_[a] = sound ? static_cast<int>(cells(a)) : 3;
     }
 }
 
@@ -76,7 +85,9 @@ void Cells<Real>::place(Workers& workers) {
         for (int i = begin; i < end; ++i) keys_[i] = cellOf(points_[i]);
     });
     // Two places ahead, so that when all are placed each has become where its cell begins.
+    start_.reserve(static_cast<std::size_t>(mostCells(n)) + 2);
     start_.assign(cells + 2, 0);
+    occupied_.reserve(n);
     occupied_.clear();
     for (int i = 0; i < n; ++i) ++start_[keys_[i] + 2];
     for (std::size_t c = 2; c < start_.size(); ++c) {

@@ -53,8 +53,7 @@ public:
 
     Real width() const { return width_; }  // m
     Vec<Real> middle(int cell) const;      // m
-    // True: it is next to an empty one that may stand for more than a cell beyond, so that what it
-    // holds may lie outside of it.
+    // True: it is outermost, so that what it holds may lie outside of it.
     bool isAtEdge(int cell) const;
 
     // visit(slot) for all that may be less than `reach` from a point (m), in order of rows.
@@ -69,6 +68,11 @@ public:
     }
 
 private:
+    struct Extent {
+        Vec<Real> low, high;
+        Vec<double> sum;
+    };
+    Extent extentOfAll(Workers& workers);
     void choose(Real reach, Workers& workers);
     void place(Workers& workers);
     // Rises with x, and by no more than one over a cell's width. What is no number is in the first.
@@ -87,10 +91,6 @@ private:
     std::vector<int> keys_;          // cell, by particle
     std::vector<int> order_, start_, occupied_;
     std::vector<Real> x_, y_, z_;
-    struct Extent {
-        Vec<Real> low, high;
-        Vec<double> sum;
-    };
     std::vector<Extent> extents_;  // by block of particles
 };
 
