@@ -9,42 +9,53 @@
 namespace plait {
 inline namespace PLAIT_ISA {
 
-template <class Real>
-using NearPack = Pack<nearWidth, Real>;
-
-template <int n, class S>
-Pack<n, S> rootOf(Pack<n, S> a) {
-    // The widest root that there is; packs are made of as many as it takes.
+// What is evaluated together is in packs as wide as registers are: compilers take wider ones apart
+// number by number.
 #if defined(__AVX512F__)
-    constexpr int most = 64 / sizeof(S);
-#elif defined(__AVX__)
-    constexpr int most = 32 / sizeof(S);
+using EvaluatedPack = Pack<16>;
+#elif defined(__AVX2__)
+using EvaluatedPack = Pack<8>;
 #else
-    constexpr int most = 16 / sizeof(S);
+using EvaluatedPack = Pack<4>;
 #endif
-    if constexpr (n <= most) {
-        return squareRoot(a);
-    } else {
-        using Half = Pack<n / 2, S>;
-        Half half[2];
-        __builtin_memcpy(half, &a, sizeof a);
-        half[0] = rootOf(half[0]);
-        half[1] = rootOf(half[1]);
-        __builtin_memcpy(&a, half, sizeof a);
-        return a;
-    }
-}
+template <class Real>
+struct EvaluatedOf {
+    using T = Real;
+};
+template <>
+struct EvaluatedOf<float> {
+    using T = EvaluatedPack;
+};
+template <class Real>
+using Evaluated = typename EvaluatedOf<Real>::T;
+template <class Real>
+inline constexpr int evaluatedParts = nearWidth / Lanes<Evaluated<Real>>::count;
 
-// The sum of all lanes: of halves, of quarters, and so on.
+// A sum of nearWidth lanes, by part.
+template <class Real>
+using Sum = Stencil<Evaluated<Real>, evaluatedParts<Real>>;
+
+template <class S>
+S foldedLanes(S a) {
+    return a;
+}
 template <int n, class S>
-S folded(const Pack<n, S>& a) {
+S foldedLanes(const Pack<n, S>& a) {
     if constexpr (n == 2) {
         return a.v[0] + a.v[1];
     } else {
         Pack<n / 2, S> half[2];
         __builtin_memcpy(half, &a, sizeof a);
-        return folded(half[0] + half[1]);
+        return foldedLanes(half[0] + half[1]);
     }
+}
+
+// Of all lanes: of halves, of quarters, and so on, whatever the parts.
+template <class Real>
+Real folded(Sum<Real> sum) {
+    for (int step = evaluatedParts<Real> / 2; step > 0; step /= 2)
+        for (int i = 0; i < step; ++i) sum[i] = sum[i] + sum[i + step];
+    return foldedLanes(sum[0]);
 }
 
 // Of the cubic spline, by distance r: value, and slope over r.
@@ -54,7 +65,7 @@ struct SplineAt {
 };
 template <class T>
 SplineAt<T> splineAt(T squared, Scalar<T> perRadius) {
-    const T zero(0), r = rootOf(squared), q = r * T(perRadius);
+    const T zero(0), r = squareRoot(squared), q = r * T(perRadius);
     const T t = select(q < T(1), T(1) - q, zero);
     const T u = select(q < T(Scalar<T>(0.5)), T(Scalar<T>(0.5)) - q, zero);
     const T tt = t * t, uu = u * u;
@@ -62,9 +73,15 @@ SplineAt<T> splineAt(T squared, Scalar<T> perRadius) {
     return {T(2) * tt * t - T(8) * uu * u, divide(slope, r)};
 }
 
-template <class T>
-Vec<T> towards(const Near<Scalar<T>>& near) {
-    return {load<T>(near.x), load<T>(near.y), load<T>(near.z)};
+template <class Real>
+Vec<Evaluated<Real>> towards(const Near<Real>& near, int part) {
+    using T = Evaluated<Real>;
+    const int first = part * Lanes<T>::count;
+    return {load<T>(near.x + first), load<T>(near.y + first), load<T>(near.z + first)};
+}
+template <class Real>
+Evaluated<Real> numberOf(const Near<Real>& near, int part) {
+    return load<Evaluated<Real>>(near.number + part * Lanes<Evaluated<Real>>::count);
 }
 
 // Of one cell: a crowd, or, where that would not hold all, the rows around as they lie.
@@ -127,52 +144,61 @@ template <class Real, class Evaluate>
                 __builtin_memcpy(array, array + nearWidth, nearWidth * sizeof(Real));
         }
     if (count == 0) return;
-    using T = NearPack<Real>;
-    store(near.x + count, T(2 * radius));
-    for (Real* array : {near.y, near.z, near.number}) store(array + count, T(0));
+    for (int i = 0; i < nearWidth; ++i) near.x[count + i] = 2 * radius;
+    for (Real* array : {near.y, near.z, near.number})
+        for (int i = 0; i < nearWidth; ++i) array[count + i] = 0;
     evaluate(near);
 }
 
 template <class Real>
 void weigh(const LiquidPass<Real>& pass, const Surroundings<Real>& around, int i) {
-    using T = NearPack<Real>;
+    using T = Evaluated<Real>;
     const Real perRadius = 1 / pass.radius, scale = pass.scale;
-    T sum(0), others(0);
-    Vec<T> own{T(0), T(0), T(0)};
+    Sum<Real> sum{}, others{}, x{}, y{}, z{};
     const auto add = [&](const Near<Real>& near) __attribute__((always_inline)) {
-        const Vec<T> to = towards<T>(near);
-        const T squared = dot(to, to);
-        const auto [value, pull] = splineAt(squared, perRadius);
-        sum = sum + value;
-        own += pull * to;
-        others = others + pull * pull * squared * load<T>(near.number);
+        for (int part = 0; part < evaluatedParts<Real>; ++part) {
+            const Vec<T> to = towards(near, part);
+            const T squared = dot(to, to);
+            const auto [value, pull] = splineAt(squared, perRadius);
+            sum[part] = sum[part] + value;
+            x[part] = x[part] + pull * to.x;
+            y[part] = y[part] + pull * to.y;
+            z[part] = z[part] + pull * to.z;
+            others[part] = others[part] + pull * pull * squared * numberOf(near, part);
+        }
     };
     eachNear(around, {pass.x[i], pass.y[i], pass.z[i]}, pass.radius, add);
     const Real* const wall = pass.wall + 4 * static_cast<long>(i);
-    const Real value = scale * folded(sum) + wall[3] - 1;
-    const Vec<Real> gradient{scale * folded(own.x) + wall[0], scale * folded(own.y) + wall[1],
-                             scale * folded(own.z) + wall[2]};
-    const Real inverse = pass.inverse[i] * dot(gradient, gradient) + scale * scale * folded(others);
+    const Real value = scale * folded<Real>(sum) + wall[3] - 1;
+    const Vec<Real> gradient{scale * folded<Real>(x) + wall[0], scale * folded<Real>(y) + wall[1],
+                             scale * folded<Real>(z) + wall[2]};
+    const Real inverse =
+        pass.inverse[i] * dot(gradient, gradient) + scale * scale * folded<Real>(others);
     const Real safe = inverse > pass.least ? inverse : pass.least;
     pass.lambda[i] = value > 0 ? -pass.relaxation * value / safe : Real(0);
 }
 
 template <class Real>
 void move(const LiquidPass<Real>& pass, const Surroundings<Real>& around, int i) {
-    using T = NearPack<Real>;
+    using T = Evaluated<Real>;
     const Real perRadius = 1 / pass.radius, scale = pass.scale, lambda = pass.lambda[i];
-    Vec<T> sum{T(0), T(0), T(0)};
+    Sum<Real> x{}, y{}, z{};
     const auto add = [&](const Near<Real>& near) __attribute__((always_inline)) {
-        const Vec<T> to = towards<T>(near);
-        const auto [value, pull] = splineAt(dot(to, to), perRadius);
-        sum += pull * (T(lambda) + load<T>(near.number)) * to;
+        for (int part = 0; part < evaluatedParts<Real>; ++part) {
+            const Vec<T> to = towards(near, part);
+            const T push =
+                splineAt(dot(to, to), perRadius).pull * (T(lambda) + numberOf(near, part));
+            x[part] = x[part] + push * to.x;
+            y[part] = y[part] + push * to.y;
+            z[part] = z[part] + push * to.z;
+        }
     };
     eachNear(around, {pass.x[i], pass.y[i], pass.z[i]}, pass.radius, add);
     const Real* const wall = pass.wall + 4 * static_cast<long>(i);
     Real* const d = pass.particles + 8 * static_cast<long>(pass.vertex[i]) + 4;
-    d[0] += pass.inverse[i] * (scale * folded(sum.x) + lambda * wall[0]);
-    d[1] += pass.inverse[i] * (scale * folded(sum.y) + lambda * wall[1]);
-    d[2] += pass.inverse[i] * (scale * folded(sum.z) + lambda * wall[2]);
+    d[0] += pass.inverse[i] * (scale * folded<Real>(x) + lambda * wall[0]);
+    d[1] += pass.inverse[i] * (scale * folded<Real>(y) + lambda * wall[1]);
+    d[2] += pass.inverse[i] * (scale * folded<Real>(z) + lambda * wall[2]);
 }
 
 // Of all particles of occupied cells begin .. end - 1.
