@@ -65,6 +65,8 @@ bool ColliderSet<Real>::mayTouch(const Sweep<Real>& sweep, int m) {
 
 template void ColliderSet<float>::prepare(const Sweep<float>&, Workers&);
 template void ColliderSet<double>::prepare(const Sweep<double>&, Workers&);
+template void ColliderSet<float>::measure(const Sweep<float>&, int);
+template void ColliderSet<double>::measure(const Sweep<double>&, int);
 template bool ColliderSet<float>::mayTouch(const Sweep<float>&, int);
 template bool ColliderSet<double>::mayTouch(const Sweep<double>&, int);
 
