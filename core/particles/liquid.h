@@ -3,7 +3,7 @@
 // Bodin, Lacoursière, Servin, Constraint fluids, 2012).
 //
 // Multipliers begin at 0 and a substep takes one evaluation: in effect weakly compressible SPH,
-// with a speed of sound of sqrt(2 relaxation) 0.7 spacing / h. How far it gives way under its own
+// with a speed of sound of about sqrt(2 relaxation) spacing / h. How far it gives way under its own
 // weight is known beforehand: restCompression.
 #pragma once
 
@@ -42,7 +42,8 @@ double kernelRadius(const Liquid& liquid);
 Shades shadesOf(const Liquid& liquid);
 
 // The largest part by which a liquid at rest of this depth (m) is compressed, under gravity
-// (m/s^2), in substeps of h (s); the mean is a fifth of it.
+// (m/s^2), in substeps of h (s): measured, to a tenth, on columns of 24 and 48 layers; the mean is
+// 0.45 of it. For a moment after an impact it is up to seven times as much.
 double restCompression(const Liquid& liquid, double depth, double gravity, double h);
 
 // By particle, how dense it is over how dense water is at rest: its own sum, not cut off at the
