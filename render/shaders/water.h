@@ -136,8 +136,9 @@ void main() {
 }
 )glsl";
 
-// Follows the stage. One surface: the nearest. What is behind is bent by it as through as much water
-// as lies along the ray, and swallowed by channel; what the water scatters comes from the sky.
+// Follows the stage. One surface: the nearest. What is behind is bent by it as through as much
+// water as lies along the ray, and swallowed by channel; what the water scatters comes from the
+// sky.
 inline constexpr const char* waterShader = R"glsl(
 uniform mat4 camera, unproject;
 uniform vec3 forward;
