@@ -137,6 +137,22 @@ TEST_CASE("turned: what is hidden at rims, in corners and on sides", "[liquid]")
     REQUIRE(byPlane > 0.05);
 }
 
+// The grid's own points fall on its wall, its bottom and its corner.
+TEST_CASE("turned: a straight beaker hides what planes do", "[liquid]") {
+    const double reach = 0.075;
+    const TurnedShade shade(
+        Profile({{0, -0.1}, {0.4, -0.1}, {0.4, 0.6}, {0.3, 0.6}, {0.3, 0}, {0, 0}}), reach);
+    double worst = 0;
+    for (const double r : {0.1, 0.26, 0.28, 0.29, 0.295, 0.299})
+        for (const double y : {0.001, 0.005, 0.01, 0.02, 0.05, 0.2}) {
+            const double open =
+                (1 - CubicSpline::beyond((0.3 - r) / reach)) * (1 - CubicSpline::beyond(y / reach));
+            worst = std::max(worst, std::fabs(shade.at(r, y).part - (1 - open)));
+        }
+    // It is round, and its corner is no product.
+    REQUIRE(report("part, of the whole kernel", worst, 0.03));
+}
+
 TEST_CASE("turned: water stands in a glass as high as it must, and nowhere else", "[liquid]") {
     const double radius = 0.3, height = 0.6, spacing = 0.0375;
     auto positions = blockOf(11, 12, 11, spacing, 0.05);
