@@ -6,6 +6,15 @@
 
 namespace plait {
 
+// What pushed a piece (World::pieces) at a point, in one substep.
+struct Load {
+    int piece;
+    Vec<double> at;       // m
+    Vec<double> impulse;  // kg m: force times h^2
+    double approach;      // m/s, at which the other came before it was held
+    int other;            // the piece that pushed
+};
+
 template <class Real>
 class ContactConstraint : public Constraint<Real> {
 public:
@@ -16,10 +25,19 @@ public:
 
     // Before the columns, where everything has been predicted: impacts that bounce.
     virtual void strike(const Sweep<Real>&, const State<Real>&, const Drawer<Real>&, Workers&) {}
+    // False: finish() does nothing, whatever the others do.
+    virtual bool finishes() const { return true; }
     // After finish() and in turns until none does anything more: what passes through all the same
     // goes back to where the substep began. Returns how many vertices that moves.
     virtual long holdBack(const Sweep<Real>&, Workers&) { return 0; }
-    // When nothing moves any more in this substep: counts what was not held.
+    // When nothing moves any more in this substep: what pieces were pushed by.
+    virtual void addLoads(std::vector<Load>&) const {}
+    // Gives up what does not bear these loads, in the drawer. True: the substep is taken again
+    // without it, from where it began.
+    virtual bool giveWay(const Sweep<Real>&, std::span<const Load>, Drawer<Real>&, Workers&) {
+        return false;
+    }
+    // The same: counts what was not held.
     virtual void conclude(const Sweep<Real>&, Workers&) {}
     // After the velocities: what a bounce leaves and the change of positions does not show.
     virtual void rebound(State<Real>&, Drawer<Real>&) const {}

@@ -19,21 +19,23 @@ void Solver<Real>::substep(double fraction) {
     implied_ = second ? 2 * h_ / 3 : h_;
     startVelocities(second);  // v <- v, or (4 v - v1) / 3
     if (whole_) whole_->begin(state_);
-    applyForces();        // v <- v + h W f
-    predict(second);      // x <- x + h v, or (4 x - x1) / 3 + 2/3 h v
-    movePins(fraction);   // x <- where the artist wants it
-    beginSets(fraction);  // lambda <- 0
-    carrying([&] {
-        forContacts(
-            [&](auto& set, int s) { set.strike(sweepOf(s), state_, drawerOf(s), workers_); });
-    });
-    if (whole_) {
-        takeWhole();  // x <- where another method has it (methods/)
-    } else {
-        sweepColumns();  // x <- x + W J^T dlambda, set by set
-        smooth();
-    }
-    carrying([&] { finishSets(); });
+    applyForces();  // v <- v + h W f
+    do {
+        predict(second);      // x <- x + h v, or (4 x - x1) / 3 + 2/3 h v
+        movePins(fraction);   // x <- where the artist wants it
+        beginSets(fraction);  // lambda <- 0
+        carrying([&] {
+            forContacts(
+                [&](auto& set, int s) { set.strike(sweepOf(s), state_, drawerOf(s), workers_); });
+        });
+        if (whole_) {
+            takeWhole();  // x <- where another method has it (methods/)
+        } else {
+            sweepColumns();  // x <- x + W J^T dlambda, set by set
+            smooth();
+        }
+        carrying([&] { finishSets(); });
+    } while (gaveWay());  // x <- x1, and again without what broke
     update(second);  // v <- (x - x1) / h, or (3 x - 4 x1 + x2) / 2 h
     forContacts([&](auto& set, int s) { set.rebound(state_, drawerOf(s)); });
     dampRates();
@@ -106,12 +108,14 @@ template <class Real>
 void Solver<Real>::finishSets() {
     if (contacts_.empty()) return;
     constexpr int rounds = 20;
+    auto finishing = std::ssize(contacts_);
+    forContacts([&](const auto& set, int) { finishing -= !set.finishes(); });
     for (int round = 0; round < rounds; ++round) {
         long mended = 0, parted = 0;
         for (int s = 0; s < static_cast<int>(sets_.size()) && !whole_; ++s)
             if (std::ranges::find(contacts_, s) == contacts_.end())
                 mended += sets_[s]->finish(sweepOf(s), workers_);
-        if (round > 0 && mended == 0 && contacts_.size() == 1) break;
+        if (round > 0 && mended == 0 && finishing == 1) break;
         for (const int s : contacts_) parted += sets_[s]->finish(sweepOf(s), workers_);
         evaluations_ += mended + parted;
         if (parted == 0) break;
@@ -121,6 +125,19 @@ void Solver<Real>::finishSets() {
         forContacts([&](auto& set, int s) { held |= set.holdBack(sweepOf(s), workers_) > 0; });
     }
     forContacts([&](auto& set, int s) { set.conclude(sweepOf(s), workers_); });
+}
+
+// Whether something does not bear what contacts press with: then all is where the substep began.
+template <class Real>
+bool Solver<Real>::gaveWay() {
+    if (world_->clusters < 0) return false;
+    loads_.clear();
+    forContacts([&](const auto& set, int) { set.addLoads(loads_); });
+    bool gave = false;
+    forContacts(
+        [&](auto& set, int s) { gave |= set.giveWay(sweepOf(s), loads_, drawerOf(s), workers_); });
+    for (int i = 0; gave && i < state_.count(); ++i) state_.particles[i].d = state_.before[i].v;
+    return gave;
 }
 
 // Jacobi iterations: slower than the columns, but what error is left is spread out (V) [SC16]. Each

@@ -88,6 +88,7 @@ private:
     void evaluate(std::span<const int> sets, Direction direction);
     void smooth();
     void finishSets();
+    bool gaveWay();
     // body(set, its place), by order.
     template <class Body>
     void forContacts(const Body& body) const {
@@ -135,6 +136,7 @@ private:
     std::vector<std::uint8_t> touched_;  // by a one-sided constraint, for BDF2's fall-back
     std::vector<std::uint8_t> struck_;   // by what the method took for an impact, likewise
     std::vector<int> contacts_;          // sets, by order
+    std::vector<Load> loads_;            // by contacts, in this substep
     std::vector<std::pair<ContactConstraint<Real>*, int>> contactSets_;  // those that are such
     SubstepPlan plan_;
     int column_ = 0;

@@ -89,6 +89,9 @@ struct World {
         bool contact;
         Recipe<Constraint> recipe;
     };
+    std::vector<Range> pieces;  // what moves as one (pieces/piece.h)
+    int clusters = -1;  // the set whose drawer has, first of its integers, a piece each that says
+                        // with which it moves as one (fracture/welds.h); -1: none
     std::vector<Pins> pins;
     std::vector<Release> releases;
     std::vector<Set> sets;

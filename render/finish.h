@@ -7,7 +7,7 @@
 
 namespace plait {
 
-enum class Family { cloth, metal, coat, skin, tulle, brushed, latex, water };
+enum class Family { cloth, metal, coat, skin, tulle, brushed, latex, water, glass };
 
 // `numbers` is what the family's shader calls `finish`.
 struct Finish {
@@ -45,6 +45,8 @@ inline Finish finishOf(Material material) {
             return {Family::latex, {0.04f, 0.12f, 0.55f, 0.35f}};
         case Material::water:
             return {Family::water, {}};
+        case Material::glass:
+            return {Family::glass, {0.12f, 0.04f, 4, 0}};
     }
     return {Family::coat, {}};
 }

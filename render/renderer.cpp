@@ -1,10 +1,10 @@
 #include "renderer.h"
 
 #include "finish.h"
-#include "render/matter/back_to_front.h"
 #include "render/shaders/backdrop.h"
 #include "render/shaders/brushed.h"
 #include "render/shaders/cloth.h"
+#include "render/shaders/glass.h"
 #include "render/shaders/grade.h"
 #include "render/shaders/latex.h"
 #include "render/shaders/shadow.h"
@@ -96,13 +96,17 @@ void Renderer::addSkin(Skin skin) {
                                   emblem.texels.data(), {.wrap = GL_REPEAT});
     }
     uploadVertices(mesh.vertices, skin.vertices());
-    if (isVeil(skin) && !netDepth_) netDepth_ = Program(depthVertexShader, netDepthShader);
+    if (isTranslucent(skin) && !netDepth_) netDepth_ = Program(depthVertexShader, netDepthShader);
     skins_.push_back(std::move(skin));
     meshes_.push_back(std::move(mesh));
 }
 
 bool Renderer::isVeil(const Skin& skin) {
     return finishOf(skin.material()).family == Family::tulle;
+}
+
+bool Renderer::isGlass(const Skin& skin) {
+    return finishOf(skin.material()).family == Family::glass;
 }
 
 Picture Renderer::draw(std::span<const Vec<double>> positions, double t, const Overlay* overlay,
@@ -162,28 +166,10 @@ void Renderer::expose(const Moment& moment, const Overlay* overlay, const Camera
     drawSkins(shot);
     drawBackdrop(shot);
     drawFaint(shot);
+    drawGlass(shot);
     drawVeils(shot);
     copyCanvas();
-    if (water_) drawWater(shot);
-}
-
-void Renderer::copyCanvas() const {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas_.framebuffer);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer);
-    glBlitFramebuffer(0, 0, options_.width, options_.height, 0, 0, options_.width, options_.height,
-                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
-}
-
-// Over all else, which it bends.
-void Renderer::drawWater(const Shot& shot) {
-    const WaterLens lens{shot.pose.eye, shot.pose.forward(), shot.camera, shot.pose.fieldOfView};
-    water_->find(lens, empty_);
-    canvas_.bind();
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    setStage(water_->use(lens, resolved_.texture), shot.pose);
-    drawScreen(empty_);
-    copyCanvas();
+    drawWater(shot);
 }
 
 void Renderer::update(std::span<const Vec<double>> positions, const Overlay* overlay,
@@ -208,7 +194,7 @@ void Renderer::drawSkins(const Shot& shot) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     for (std::size_t i = 0; i < skins_.size(); ++i) {
-        if (isVeil(skins_[i]) || skins_[i].faint()) continue;
+        if (isTranslucent(skins_[i]) || skins_[i].faint()) continue;
         useSurface(i, shot);
         drawMesh(i);
     }
@@ -220,32 +206,6 @@ void Renderer::drawMesh(std::size_t i) const {
     glBindVertexArray(meshes_[i].array);
     glDrawElements(GL_TRIANGLES, meshes_[i].corners, GL_UNSIGNED_INT, nullptr);
     glDisable(GL_CULL_FACE);
-}
-
-// Wires that are thinner than they are drawn: over all that is opaque, farther turns first.
-void Renderer::drawFaint(const Shot& shot) {
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    glDepthFunc(GL_LESS);
-    for (std::size_t i = 0; i < skins_.size(); ++i) {
-        if (!skins_[i].faint()) continue;
-        useSurface(i, shot);
-        glBindVertexArray(meshes_[i].array);
-        uploadTriangles(sorted_,
-                        backToFront(skins_[i].triangles(), skins_[i].vertices(), shot.pose.eye,
-                                    skins_[i].group()),
-                        GL_STREAM_DRAW);
-        drawMesh(i);
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, meshes_[i].triangles);
-    }
-    glDisable(GL_BLEND);
-}
-
-void Renderer::drawVeils(const Shot& shot) {
-    const auto veil = std::ranges::find_if(skins_, isVeil);
-    if (veil == skins_.end()) return;
-    useSurface(static_cast<std::size_t>(veil - skins_.begin()), shot);
-    veils_.draw(shot.pose.eye);
 }
 
 void Renderer::useSurface(std::size_t i, const Shot& shot) {
@@ -287,6 +247,8 @@ const char* Renderer::familyShader(Family family) {
             return latexShader;
         case Family::water:
             break;
+        case Family::glass:
+            return glassShader;
     }
     return coatShader;
 }
@@ -300,7 +262,7 @@ const Program& Renderer::surfaceProgram(std::size_t i, const Shot& shot) {
     if (shot.overlay && !prop) defines += "#define OVERLAY\n";
     if (skin.colored() || family == Family::tulle) defines += "#define COLORS\n";
     if (family == Family::skin) defines += "#define SKIN\n";
-    if (family == Family::latex) defines += "#define LATEX\n";
+    if (family == Family::latex || family == Family::glass) defines += "#define LATEX\n";
     if (skin.isWire()) defines += "#define WIRE\n";
     if (family == Family::tulle) {
         defines += "#define TULLE\n";

@@ -91,6 +91,7 @@ private:
     void drawVeils(const Shot& shot);
     void drawWater(const Shot& shot);
     void copyCanvas() const;
+    void drawGlass(const Shot& shot);
     void useSurface(std::size_t i, const Shot& shot);
     const Program& surfaceProgram(std::size_t i, const Shot& shot);
     float pixelAt(const CameraPose& pose) const;
@@ -101,6 +102,8 @@ private:
     int groundRows(const Shot& shot) const;
     void setStage(const Program& program, const CameraPose& pose) const;
     static bool isVeil(const Skin& skin);
+    static bool isGlass(const Skin& skin);
+    static bool isTranslucent(const Skin& skin) { return isVeil(skin) || isGlass(skin); }
     static const char* familyShader(Family family);
 
     View view_;

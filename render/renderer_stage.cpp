@@ -86,13 +86,13 @@ void Renderer::drawCasters(const glm::mat4& matrix, float perMetre) {
         glDrawElements(GL_TRIANGLES, mesh.corners, GL_UNSIGNED_INT, nullptr);
     };
     for (std::size_t i = 0; i < skins_.size(); ++i)
-        if (!isVeil(skins_[i])) draw(meshes_[i]);
+        if (!isTranslucent(skins_[i])) draw(meshes_[i]);
     if (water_) water_->drawShadow(matrix, perMetre);
     if (!netDepth_) return;
     netDepth_.use();
     netDepth_.set("matrix", matrix);
     for (std::size_t i = 0; i < skins_.size(); ++i) {
-        if (!isVeil(skins_[i])) continue;
+        if (!isTranslucent(skins_[i])) continue;
         netDepth_.set("cover", finishOf(skins_[i].material()).numbers.x);
         netDepth_.set("layer", static_cast<int>(i));
         draw(meshes_[i]);
@@ -117,6 +117,7 @@ void Renderer::drawMirror(const Shot& shot) {
     glScissor(0, 0, options_.width, groundRows(shot) / 2 + 1);
     drawSkins(image);
     drawFaint(image);
+    drawGlass(image);
     drawVeils(image);
     glDisable(GL_SCISSOR_TEST);
     mirror.end(empty_);

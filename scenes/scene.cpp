@@ -4,6 +4,7 @@
 #include "basics/basics.h"
 #include "dress.h"
 #include "flag.h"
+#include "glass/glass.h"
 #include "liquid/liquid.h"
 #include "slinky/slinky.h"
 
@@ -184,6 +185,22 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                     .meaning =
                         "OBJ or PLY file of a cloth to fly instead, in metres, hoist at its left"}},
          .build = flag},
+        {.name = "glass",
+         .title = "Glass",
+         .lesson = "What is welded is one body, and breaks by the forces in it, not by how far a "
+                   "solver is off",
+         .ingredients = {"pieces", "welds", "contact", "friction", "gravity"},
+         .omissions = {"the time that cracks take: they cross the pane in less than a substep",
+                       "cracks where there is no face: where it may break is cut beforehand",
+                       "shear, which breaks no weld"},
+         .demo = true,
+         .knobs = {{.name = "speed",
+                    .meaning = "of the ball",
+                    .unit = "m/s",
+                    .value = 8,
+                    .low = 0.5,
+                    .high = 20}},
+         .build = glass},
         {.name = "hanging-sheet",
          .title = "Hanging sheet",
          .lesson = "An inextensible sheet on two pins is the hardest easy scene",
@@ -267,6 +284,17 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                     .low = 0.1,
                     .high = 10}},
          .build = pendulum},
+        {.name = "pile",
+         .title = "A heap of shards",
+         .lesson = "What is rigid answers as one: shards lie on each other and never in each other",
+         .ingredients = {"pieces", "contact", "friction", "gravity"},
+         .omissions = {"restitution: glass that lands in a heap hardly bounces"},
+         .knobs = {{.name = "friction",
+                    .meaning = "of glass on glass and on the floor, standing and sliding",
+                    .value = 0.4,
+                    .low = 0,
+                    .high = 1}},
+         .build = pile},
         {.name = "sampler",
          .title = "Sampler",
          .lesson = "Every kind of constraint and force in one world",

@@ -31,6 +31,7 @@ struct Camera {
 // of it. Latex lets through the more light the thinner it is drawn out: glossy and aglow where it
 // is taut, deep and matte where it is limp. It is to be drawn by triangles; their rest shape is the
 // world's.
+// Glass is solids of a pane, with sharp edges, whose faces inside are seen where they came apart.
 enum class Material {
     silk,
     cotton,
@@ -45,6 +46,7 @@ enum class Material {
     brushed,
     latex,
     water,
+    glass,
 };
 
 // Of a wire: a rectangle of `along` by `across` its director, or, without the latter, a circle of
@@ -64,7 +66,7 @@ struct Wall {
 
 // A flat wall of glass that water lies against: of what is behind it, where the normal points,
 // nothing is drawn.
-struct Pane {
+struct GlassPane {
     Vec<double> point;   // m
     Vec<double> normal;  // of length 1
 };
@@ -79,14 +81,15 @@ struct Look {
     std::array<double, 3> color{0.578, 0.032, 0.014};  // linear; vermilion
     std::string print = "";                      // "plait": our emblem across the cloth; needs `uv`
     std::vector<std::array<double, 2>> uv = {};  // by vertex of the object; (0, 0) lower left
-    double radius = 0.004;                       // m, of curves and points
+    double radius = 0.004;                       // m, of curves and points; 0: points are not drawn
+    bool sharp = false;  // its triangles are as they are, with edges from 40 degrees on
     // By vertex of the object; none: `color`, and bare skin.
     std::vector<std::array<double, 3>> colors = {};  // linear
     std::vector<double> satin = {};                  // 0 .. 1, how much of it skin wears
     Section section = {};
     Range directors = {};  // of a wire, one an edge, beside its middle; none: a frame without twist
     Wall wall = {};        // of latex
-    std::vector<Pane> panes = {};  // of water, at most six
+    std::vector<GlassPane> panes = {};  // of water, at most six
 };
 
 // What stands about and does not move, or moves as one rigid thing.

@@ -63,7 +63,8 @@ void holdDensity(World& world, const Liquid& liquid, SetOptions options) {
     if (!(liquid.relaxation > 0 && liquid.relaxation < 1)) refuse("relaxation is in (0, 1)");
     Liquid shaded = liquid;
     shaded.shades = shadesOf(liquid);
-    Walls(liquid.walls, kernelRadius(liquid), options.name, shaded.shades);
+    [[maybe_unused]] const Walls refusesWhatIsWrong(liquid.walls, kernelRadius(liquid),
+                                                    options.name, shaded.shades);
     const auto make = [shaded, name = options.name]<class Real>(
                           const World& made,
                           KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {

@@ -85,7 +85,7 @@ Skin::Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, 
     }
     curves_ = polylines(edges, range_.size());
     if (look.section.along > 0) addWire(rest, look, pixel);
-    for (int i = 0; i < range_.size(); ++i)
+    for (int i = 0; i < range_.size() && look.radius > 0 && facets_.empty(); ++i)
         if (!covered[i] && material_ != Material::water) balls_.push_back(i);
     if (!balls_.empty()) ball_ = sphere({.subdivisions = 2, .radius = look.radius});
     update(rest);
@@ -131,23 +131,38 @@ void Skin::addSurface(const SimplicialComplex& complex, std::span<const Vec<doub
                       const Look& look, float pixel) {
     triangles_ = outerTriangles(complex, rest, range_);
     if (triangles_.empty()) return;
+    if (material_ == Material::glass) return cutFacets(rest);
     const auto coarse = triangles_;
     surfaceVertices_ = range_.size();
-    if (complex.count(3) == 0) {
-        const auto own = rest.subspan(range_.first, range_.size());
+    const auto own = rest.subspan(range_.first, range_.size());
+    if (look.sharp) {
+        subdivision_ = Subdivision::facets(coarse, own);
+    } else if (complex.count(3) == 0) {
         float edge = meanEdge(own, coarse);
         const bool refined = edge > widestFacet * pixel;
         if (refined) edge *= 0.5f;
         if (edge < widestFacet * pixel) facet_ = edge;
         subdivision_ = Subdivision(coarse, own, refined);
+    }
+    if (subdivision_.size() > 0) {
         surfaceVertices_ = subdivision_.size();
         triangles_ = subdivision_.triangles();
     }
     surfaceTriangles_ = static_cast<int>(triangles_.size());
-    if (material_ == Material::latex)
-        areaStretch_ = AreaStretch(coarse, rest.subspan(range_.first, range_.size()));
+    if (material_ == Material::latex) areaStretch_ = AreaStretch(coarse, own);
     layCloth(rest, coarse, look);
     paint(look);
+}
+
+void Skin::cutFacets(std::span<const Vec<double>> rest) {
+    std::vector<glm::vec3> positions;
+    for (const Vec<double>& x : rest.subspan(range_.first, range_.size()))
+        positions.push_back(toGlm(x));
+    facets_ = Facets(positions, std::move(triangles_));
+    surfaceVertices_ = facets_.corners();
+    triangles_.clear();
+    for (int i = 0; i < surfaceVertices_; i += 3) triangles_.push_back({i, i + 1, i + 2});
+    surfaceTriangles_ = static_cast<int>(triangles_.size());
 }
 
 void Skin::paint(const Look& look) {
@@ -209,6 +224,7 @@ void Skin::update(std::span<const Vec<double>> positions, std::span<const glm::v
     }
     vertices_.resize(static_cast<std::size_t>(surfaceVertices_));
     triangles_.resize(static_cast<std::size_t>(surfaceTriangles_));
+    if (!facets_.empty()) return facets_.update(coarse_, vertices_);
     if (surfaceVertices_ > 0) updateSurface(!tints.empty());
     updateCurves();
     if (wire_) updateWire(*wire_, positions, lens);

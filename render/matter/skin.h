@@ -2,6 +2,7 @@
 #pragma once
 
 #include "area_stretch.h"
+#include "facets.h"
 #include "mesh_vertex.h"
 #include "polyline.h"
 #include "scenes/view.h"
@@ -49,6 +50,7 @@ public:
 private:
     void addSurface(const SimplicialComplex& complex, std::span<const Vec<double>> rest,
                     const Look& look, float pixel);
+    void cutFacets(std::span<const Vec<double>> rest);
     void paint(const Look& look);
     void layCloth(std::span<const Vec<double>> rest, std::span<const std::array<int, 3>> triangles,
                   const Look& look);
@@ -67,6 +69,7 @@ private:
     float facet_ = 0;
 
     Subdivision subdivision_;  // none: fine is coarse
+    Facets facets_;            // of glass; it has neither curves nor points
     int surfaceVertices_ = 0, surfaceTriangles_ = 0;
     std::vector<glm::vec2> uv_;  // m, of fine vertices
     std::vector<glm::vec3> colors_;

@@ -88,6 +88,30 @@ Subdivision::Subdivision(std::span<const std::array<int, 3>> triangles,
     }
 }
 
+Subdivision Subdivision::facets(std::span<const std::array<int, 3>> triangles,
+                                std::span<const Vec<double>> rest) {
+    Subdivision facets;
+    // By coarse vertex: fine ones, and the normals of their first triangles.
+    std::vector<std::vector<std::pair<int, Vec<double>>>> sides(rest.size());
+    for (const auto& t : triangles) {
+        const Vec<double> across = cross(rest[t[1]] - rest[t[0]], rest[t[2]] - rest[t[0]]);
+        const Vec<double> normal = divide(1.0, length(across)) * across;
+        std::array<int, 3> corners{};
+        for (int k = 0; k < 3; ++k) {
+            auto& known = sides[t[k]];
+            auto side = std::ranges::find_if(
+                known, [&](const auto& s) { return dot(s.second, normal) > 0.766; });
+            if (side == known.end()) {
+                side = known.insert(known.end(), {facets.size(), normal});
+                facets.add(std::array{t[k]}, std::array{1.0f});
+            }
+            corners[k] = side->first;
+        }
+        facets.triangles_.push_back(corners);
+    }
+    return facets;
+}
+
 void Subdivision::add(std::span<const int> vertices, std::span<const float> weights) {
     vertex_.insert(vertex_.end(), vertices.begin(), vertices.end());
     weight_.insert(weight_.end(), weights.begin(), weights.end());

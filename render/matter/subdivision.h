@@ -20,10 +20,16 @@ public:
     Subdivision(std::span<const std::array<int, 3>> triangles, std::span<const Vec<double>> rest,
                 bool refined = true);
 
+    // Nothing is smoothed: a fine vertex for each side of a sharp edge (from 40 degrees on), in its
+    // place.
+    static Subdivision facets(std::span<const std::array<int, 3>> triangles,
+                              std::span<const Vec<double>> rest);
+
     const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
     int size() const { return static_cast<int>(start_.size()) - 1; }  // fine vertices
 
-    // Anything with sums and products by float; coarse vertices come first, in their order.
+    // Anything with sums and products by float. Of what is smoothed, coarse vertices come first, in
+    // their order.
     template <class T>
     void apply(std::span<const T> coarse, std::vector<T>& fine) const {
         fine.resize(static_cast<std::size_t>(size()));

@@ -43,7 +43,7 @@ Water::Water(const Look& look, const std::string& prologue, int width, int heigh
     if (look.panes.size() > mostPanes) throw std::invalid_argument("look: has more than six panes");
     // By which a metre of it swallows light, by channel: all but what it looks like.
     swallow_ = 1.8f * (1.0f - color_ / std::max({color_.r, color_.g, color_.b, 1e-6f}));
-    for (const Pane& pane : look.panes)
+    for (const GlassPane& pane : look.panes)
         panes_.emplace_back(toGlm(pane.normal), static_cast<float>(dot(pane.normal, pane.point)));
     glBindVertexArray(array_);
     glBindBuffer(GL_ARRAY_BUFFER, buffer_);

@@ -15,6 +15,7 @@ Scene hangingSheet(const Knobs&);
 Scene layeredSheets(const Knobs&);
 Scene medley(const Knobs&);
 Scene pendulum(const Knobs&);
+Scene pile(const Knobs&);
 Scene sampler(const Knobs&);
 Scene sheetOnSphere(const Knobs&);
 Scene softPins(const Knobs&);

@@ -5,6 +5,7 @@
 #include "../parts/woven.h"
 #include "basics.h"
 
+#include <plait/complex/solid_shapes.h>
 #include <plait/forces/gravity.h>
 #include <plait/numbers/elementary.h>
 #include <plait/stencils.h>
@@ -26,26 +27,6 @@ constexpr double width = 0.6, depth = 0.5, before = 0.15, coarsest = 0.025;
 constexpr Vec<double> tableLow{-0.35, -0.05, -depth - 0.05}, tableHigh{0.35, 0, -clearance};
 
 constexpr double floorHeight = -0.6;  // m
-
-// A box between two corners, two triangles a side.
-Shape box(const Vec<double>& low, const Vec<double>& high) {
-    Shape shape;
-    for (int i = 0; i < 8; ++i)
-        shape.positions.push_back(
-            {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
-    Simplices sides;
-    for (const auto& [a, b, c, d] : {std::array{0, 4, 6, 2},
-                                     {1, 3, 7, 5},
-                                     {0, 1, 5, 4},
-                                     {2, 6, 7, 3},
-                                     {0, 2, 3, 1},
-                                     {4, 5, 7, 6}}) {
-        sides.triangles.push_back({a, b, c});
-        sides.triangles.push_back({a, c, d});
-    }
-    shape.complex = SimplicialComplex(8, sides);
-    return shape;
-}
 
 // A closed tin that stands on `foot`.
 Shape tin(double radius, double height, const Vec<double>& foot) {
@@ -191,7 +172,7 @@ Scene tablecloth(const Knobs& knobs) {
     const int columns = static_cast<int>(std::lround(width / cell)) + 1;
     const int rows = static_cast<int>(std::lround((depth + before) / cell)) + 1;
     const Range cloth = addCloth(world, columns, rows, cell);
-    const Range table = world.add(box(tableLow, tableHigh));
+    const Range table = world.add(boxSurface(tableLow, tableHigh));
     world.pin(pointStencils(table));
     const std::vector<Range> tins = addTins(world);
     const Range bar = pullHem(world, {cloth.last - columns, cloth.last}, speed);

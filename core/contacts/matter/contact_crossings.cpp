@@ -116,6 +116,7 @@ long ContactSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
     long work = 0;
     cross(sweep, workers);
     for (int pass = 0; pass < innerPasses && !crossing_.empty(); ++pass) {
+        findPoses(sweep, workers);
         for (Contact& c : crossing_) {
             part(sweep, c);
             counts_.limited += std::exchange(c.limited, false);
@@ -171,8 +172,13 @@ template <class Real>
 int ContactSet<Real>::putBack(const Sweep<Real>& sweep, bool hold) {
     for (Contact& c : crossing_) {
         c.push = 1;  // pushed, for those who ask
-        const std::span<const int> vertices(c.pair.vertices);
-        zones_.join(vertices.first(c.pair.first + c.pair.second), pinned_, hold);
+        whole_.clear();
+        for (int i = 0; i < c.pair.first + c.pair.second; ++i) {
+            const int v = c.pair.vertices[i], piece = pieces_.of(v);
+            const Range all = piece < 0 ? Range{v, v + 1} : pieces_.body(piece).vertices;
+            for (int u = all.first; u < all.last; ++u) whole_.push_back(u);
+        }
+        zones_.join(whole_, pinned_, hold);
     }
     return zones_.put(sweep);
 }
@@ -181,7 +187,8 @@ template <class Real>
 long ContactSet<Real>::putEverythingBack(const Sweep<Real>& sweep) const {
     long held = 0;
     for (int v = 0; v < std::ssize(start_); ++v)
-        held += search_.surfaceOf(v) >= 0 && !pinned_[v] && plait::putBack(sweep, v);
+        held += (search_.surfaceOf(v) >= 0 || pieces_.of(v) >= 0) && !pinned_[v] &&
+                plait::putBack(sweep, v);
     return held;
 }
 

@@ -1,68 +1,12 @@
 // One contact: where two touch, and the impulses across and along that part them.
 #include "../friction.h"
+#include "answers.h"
 #include "contact_set.h"
 #include "reals.h"
 
 #include <algorithm>
 
 namespace plait {
-namespace {
-
-// How the vertices of a contact answer impulses.
-template <class Real>
-struct Answers {
-    const Sweep<Real>& sweep;
-    const Pairing& pair;
-    const std::array<double, 4>& weight;
-    std::span<const double> inverse;  // 1/kg, by vertex; empty: masses are physical
-    double yields[2];  // of the first simplex and of the second, 1 but for shocked layers
-
-    // w I - q q^T, for vertex i.
-    Vec<double> of(std::size_t i, const Vec<double>& impulse) const {
-        const int v = pair.vertices[i];
-        const double yield = yields[static_cast<int>(i) >= pair.first];
-        if (!inverse.empty()) return yield * (inverse[v] * impulse);
-        Vec<double> moved = double(sweep.particles[8 * v + 3]) * impulse;
-        if (sweep.air) {
-            const Real* const q = sweep.air + 4 * v;
-            const Vec<double> along{double(q[0]), double(q[1]), double(q[2])};
-            moved -= dot(along, impulse) * along;
-        }
-        return yield * moved;
-    }
-    // The multiplier along n that moves none of them by more than this (m).
-    double within(double limit, const Vec<double>& n) const {
-        double most = 0;
-        for (std::size_t i = 0; i < 4; ++i)
-            if (weight[i] != 0) most = std::max(most, length(of(i, weight[i] * n)));
-        return divide(limit, most);
-    }
-    // How far they part along n of unit length by an impulse of 1 along it. Next to a vertex that
-    // is pinned a free one has no lever to part them by; without a limit it would be flung away.
-    double along(const Vec<double>& n) const {
-        constexpr double leastLever = 0.1;
-        double sum = 0, most = 0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            if (weight[i] == 0) continue;
-            const double answer = dot(n, of(i, n));
-            sum += weight[i] * weight[i] * answer;
-            most = std::max(most, answer);
-        }
-        return std::max(sum, leastLever * leastLever * most);
-    }
-    void move(const Vec<double>& impulse) const {
-        for (std::size_t i = 0; i < 4; ++i) {
-            Real* const p = sweep.particles + 8 * pair.vertices[i];
-            if (weight[i] == 0 || p[3] == Real(0)) continue;
-            const Vec<double> d = of(i, weight[i] * impulse);
-            p[4] += static_cast<Real>(d.x);
-            p[5] += static_cast<Real>(d.y);
-            p[6] += static_cast<Real>(d.z);
-        }
-    }
-};
-
-}  // namespace
 
 // While both together move by less than half of what is between them, they cannot have met, and the
 // way from one to the other is where it was. Otherwise their paths are asked.
@@ -155,7 +99,7 @@ bool ContactSet<Real>::clearNow(Contact& contact, const PairPoints& start,
 }
 
 template <class Real>
-void ContactSet<Real>::part(const Sweep<Real>& sweep, Contact& contact) const {
+void ContactSet<Real>::part(const Sweep<Real>& sweep, Contact& contact) {
     const auto& v = contact.pair.vertices;
     const Surface& a = search_.surfaces()[search_.surfaceOf(v[0])];
     const Surface& b = search_.surfaces()[search_.surfaceOf(v[3])];
@@ -166,12 +110,13 @@ void ContactSet<Real>::part(const Sweep<Real>& sweep, Contact& contact) const {
     const Touch at = touch(contact, start, end);
     if (idle && at.value >= 0) return;
     const double shocked = 1 / options_.layerShock;
-    const Answers<Real> answers{
-        sweep,
-        contact.pair,
-        at.weight,
-        options_.mass == ContactMass::legacy ? inverseMass_ : std::span<const double>{},
-        {a.layer < b.layer ? shocked : 1, b.layer < a.layer ? shocked : 1}};
+    const Answers<Real> answers(
+        sweep, contact.pair, at.weight, end,
+        {.inverseMass =
+             options_.mass == ContactMass::legacy ? inverseMass_ : std::span<const double>{},
+         .pieces = pieces_,
+         .poses = poses_},
+        {a.layer < b.layer ? shocked : 1, b.layer < a.layer ? shocked : 1});
     double push = std::max(least, contact.push - divide(at.value, answers.along(at.normal)));
     if (options_.displacementLimit > 0) {
         const double most = answers.within(options_.displacementLimit, at.normal);

@@ -57,11 +57,18 @@ ContactSet<Real>::ContactSet(const World& world, const std::vector<Surface>& sur
       start_(world.start),
       end_(world.start),
       pinned_(world.pinned),
+      pieces_(world),
+      poses_(pieces_.count()),
       gravity_(world.gravity),
       zones_(world.start.size()),
       taken_(world.start.size()),
       slack_(thickest(surfaces)),
       widest_(widest(surfaces)) {
+    for (int p = 0; p < pieces_.count(); ++p) {
+        const Body& body = pieces_.body(p);
+        for (int v = body.vertices.first; v < body.vertices.last && body.inverseMass == 0; ++v)
+            pinned_[v] = 1;
+    }
     for (const Surface& s : surfaces) bouncy_ = bouncy_ || s.restitution > 0;
     for (std::size_t v = 0; v < world.mass.size(); ++v)
         inverseMass_.push_back(world.pinned[v] ? 0 : 1 / world.mass[v]);
@@ -234,8 +241,21 @@ void ContactSet<Real>::rebound(State<Real>& state, Drawer<Real>& kept) const {
 
 template <class Real>
 void ContactSet<Real>::markTouched(std::vector<std::uint8_t>& touched) const {
-    for (const Contact& c : contacts_)
-        for (const int v : c.pair.vertices) touched[v] |= c.push != 0;
+    for (const Contact& c : contacts_) {
+        if (c.push == 0) continue;
+        for (const int v : c.pair.vertices) {
+            const int piece = pieces_.of(v);
+            const Range all = piece < 0 ? Range{v, v + 1} : pieces_.body(piece).vertices;
+            std::fill(touched.begin() + all.first, touched.begin() + all.last, std::uint8_t{1});
+        }
+    }
+}
+
+template <class Real>
+void ContactSet<Real>::findPoses(const Sweep<Real>& sweep, Workers& workers) {
+    workers.forBlocks(pieces_.count(), 16, [&](int begin, int end) {
+        for (int p = begin; p < end; ++p) poses_[p] = pieces_.poseOf(sweep, p);
+    });
 }
 
 template class ContactSet<float>;

@@ -17,6 +17,7 @@
 #pragma once
 
 #include "../../contact_constraint.h"
+#include "../../pieces/poses.h"
 #include "../search/pair_search.h"
 #include "../trouble/failures.h"
 #include "impact_zones.h"
@@ -88,8 +89,20 @@ private:
     double wholeGapOf(const Pairing& pair, const Nearest& now) const;
     double gapOf(const Pairing& pair, const Nearest& now) const;
     void bend(const Sweep<Real>& sweep, const State<Real>& state);
+    // What takes the push at a vertex: itself, or the first vertex of its piece; -1: nothing does.
+    int unitOf(int vertex) const {
+        if (pinned_[vertex]) return -1;
+        const int piece = pieces_.of(vertex);
+        return piece < 0 ? vertex : pieces_.body(piece).vertices.first;
+    }
+    // Two pieces, or one and what is pinned, by their units: all their contacts are one group,
+    // which runs in sequence. Of all others (-1, -1).
+    std::array<int, 2> groupOf(const Pairing& pair) const;
     void sortParts();
+    void group();
     void colour();
+    template <class Body>
+    void forUnits(const Contact& contact, const Body& body) const;
     PairPoints startOf(const Pairing& pair) const;
     PairPoints endOf(const Sweep<Real>& sweep, const Pairing& pair) const;
     Touch touch(const Contact& contact, const PairPoints& start, const PairPoints& end) const;
@@ -98,7 +111,8 @@ private:
     bool clearNow(Contact& contact, const PairPoints& start, const PairPoints& end) const;
     double leastOf(const Contact& contact) const;
     bool clear(const Sweep<Real>& sweep, const Watch& watch) const;
-    void part(const Sweep<Real>& sweep, Contact& contact) const;
+    void part(const Sweep<Real>& sweep, Contact& contact);
+    void findPoses(const Sweep<Real>& sweep, Workers& workers);
     void check(const Pairing& pair, std::vector<Contact>& list) const;
     bool asForeseen(Workers& workers) const;
     bool findMoved(const Sweep<Real>& sweep, Workers& workers);
@@ -111,10 +125,13 @@ private:
     ContactOptions options_;
     PairSearch search_;
     std::vector<Vec<double>> rest_, start_, end_, heading_;  // m, by vertex
-    std::vector<Vec<double>> seen_;    // end_ when paths were last looked at; empty: not yet
-    std::vector<std::uint8_t> moved_;  // by vertex: 1 if end_ is another since
-    std::vector<unsigned char> pinned_;
-    double gravity_;                   // m/s^2: what rests approaches by its step
+    std::vector<Vec<double>> seen_;      // end_ when paths were last looked at; empty: not yet
+    std::vector<std::uint8_t> moved_;    // by vertex: 1 if end_ is another since
+    std::vector<unsigned char> pinned_;  // by vertex: it does not yield; all of a piece alike
+    Pieces pieces_;
+    std::vector<Pose> poses_;  // of them, in the present evaluation
+    std::vector<int> whole_;   // of what goes back: vertices of a contact and of their pieces
+    double gravity_;           // m/s^2: what rests approaches by its step
     std::vector<double> inverseMass_;  // 1/kg, in contacts
     ImpactZones zones_;                // of crossing_, and of what crossed before it
     bool bouncy_ = false;              // something has restitution
@@ -130,11 +147,13 @@ private:
     long backPairs_ = 0;            // that crossed in them
     bool gaveUp_ = false;           // in this base step: nothing moves until its end
     std::atomic<long> looked_ = 0;  // in the evaluation last made
-    std::array<int, colorLimit + 2> colors_{};  // where each colour begins in contacts_
+    std::array<int, colorLimit + 2> colors_{};  // where each colour begins in groups_
+    std::vector<int> groups_;                   // where each group begins in contacts_, and the end
     std::vector<std::vector<Contact>> parts_;   // as they are found
     std::vector<Contact*> ordered_;             // all of them
     std::vector<int> places_;                   // in ordered_, by kind and first vertex
-    std::vector<std::uint64_t> taken_;          // colours at each vertex
+    std::vector<int> members_;                  // where each group begins in ordered_, and the end
+    std::vector<std::uint64_t> taken_;          // colours at each unit
     double slack_;                              // m, that contacts reach beyond their gap
     double widest_;                             // m, the largest thickness, as wide as it counts
     double h_ = 0;                              // s

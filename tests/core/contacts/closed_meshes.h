@@ -3,6 +3,8 @@
 
 #include "tests/worlds.h"
 
+#include <plait/complex/solid_shapes.h>
+
 #include <array>
 
 namespace plait::test {
@@ -16,21 +18,8 @@ inline Range pinned(World& world, Range range) {
 
 // A cube round the origin, of 12 triangles with normals outward; m.
 inline Shape cube(double side) {
-    Points x;
-    for (int i = 0; i < 8; ++i)
-        x.push_back(0.5 * side *
-                    Vec<double>{i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0});
-    Simplices cells;
-    for (const auto& [a, b, c, d] : {std::array{0, 4, 6, 2},
-                                     {1, 3, 7, 5},
-                                     {0, 1, 5, 4},
-                                     {2, 6, 7, 3},
-                                     {0, 2, 3, 1},
-                                     {4, 5, 7, 6}}) {
-        cells.triangles.push_back({a, b, c});
-        cells.triangles.push_back({a, c, d});
-    }
-    return {SimplicialComplex(8, cells), x};
+    const Vec<double> corner{0.5 * side, 0.5 * side, 0.5 * side};
+    return boxSurface(-corner, corner);
 }
 
 inline std::vector<std::array<int, 3>> trianglesIn(const World& world, Range range) {

@@ -122,7 +122,8 @@ void check(const Column& column, const Rest& rest, std::size_t every) {
 
 }  // namespace
 
-TEST_CASE("liquid: a column at rest is compressed as foretold and keeps its level", "[liquid]") {
+TEST_CASE("liquid: a column at rest is compressed as foretold and keeps its level",
+          "[liquid][figures]") {
     const Column column{.across = 8, .layers = 24, .perSecond = 1400};
     check(column, rest(column, 150, 100), 1);
 }

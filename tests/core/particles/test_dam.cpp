@@ -112,7 +112,7 @@ Break breakDam(int across, int deep, int perSecond, double last) {
 
 }  // namespace
 
-TEST_CASE("liquid: a dam breaks as in the experiment", "[liquid]") {
+TEST_CASE("liquid: a dam breaks as in the experiment", "[liquid][figures]") {
     const Break found = breakDam(12, 6, 1000, 5);
     const Match match225 = match(found.front, fronts225),
                 match1125 = match(found.front, fronts1125);

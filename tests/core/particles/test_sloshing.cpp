@@ -69,7 +69,7 @@ Period periodOf(const Swing& swing) {
 }  // namespace
 
 // The packing is stiff in shear: small swings are a little too quick.
-TEST_CASE("liquid: water swings at the frequency of linear waves", "[liquid]") {
+TEST_CASE("liquid: water swings at the frequency of linear waves", "[liquid][figures]") {
     const Swing swung = swing(24, 5, 1000, 0.2, 3);
     const Period period = periodOf(swung);
     const double k = pi / width, omega = std::sqrt(g * k * std::tanh(k * swung.depth));

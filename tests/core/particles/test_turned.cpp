@@ -153,7 +153,8 @@ TEST_CASE("turned: a straight beaker hides what planes do", "[liquid]") {
     REQUIRE(report("part, of the whole kernel", worst, 0.03));
 }
 
-TEST_CASE("turned: water stands in a glass as high as it must, and nowhere else", "[liquid]") {
+TEST_CASE("turned: water stands in a glass as high as it must, and nowhere else",
+          "[liquid][figures]") {
     const double radius = 0.3, height = 0.6, spacing = 0.0375;
     auto positions = blockOf(11, 12, 11, spacing, 0.05);
     for (Vec<double>& p : positions) p += {-0.2, 0.03, -0.2};

@@ -27,9 +27,9 @@ struct LoadOptions {
 };
 
 template <class Real>
-class Load : public Force<Real> {
+class CurveLoad : public Force<Real> {
 public:
-    Load(const World&, LoadOptions options) : options_(std::move(options)) {}
+    CurveLoad(const World&, LoadOptions options) : options_(std::move(options)) {}
     std::string name() const override { return "load"; }
     void apply(State<Real>& state, double t, double h, Workers&) override {
         const int first = options_.first;
@@ -104,7 +104,7 @@ TEST_CASE("loads: a moment bends a rod to an arc of a circle", "[rods]") {
         // Light ends would be spun too far in a substep.
         for (const int v : {rod.points.last - 2, rod.points.last - 1}) world.mass[v] = 0.05;  // kg
         const double turn = whole / (links - 1), moment = nylon.bending() / l * turn;
-        world.act<Load>(LoadOptions{
+        world.act<CurveLoad>(LoadOptions{
             rod.points.last - 2, [moment](const Vec<double>& a, const Vec<double>& b, double t) {
                 const Vec<double> edge = b - a;
                 const Vec<double> force = (moment * std::min(t / 8, 1.0) / dot(edge, edge)) *

@@ -1,0 +1,85 @@
+#include "facets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace plait {
+namespace {
+
+constexpr float nearest = 0.002f;    // m, to what lies beside it
+constexpr float wideOpen = 0.0003f;  // m, from where on it has come apart
+
+// By vertex: which solid it belongs to.
+std::vector<int> solidsOf(std::size_t count, std::span<const std::array<int, 3>> triangles) {
+    std::vector<int> parent(count);
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root = [&](int v) {
+        while (parent[v] != v) v = parent[v] = parent[parent[v]];
+        return v;
+    };
+    for (const auto& [a, b, c] : triangles) parent[root(b)] = parent[root(c)] = root(a);
+    for (std::size_t v = 0; v < count; ++v) parent[v] = root(static_cast<int>(v));
+    return parent;
+}
+
+}  // namespace
+
+Facets::Facets(std::span<const glm::vec3> rest, std::vector<std::array<int, 3>> triangles)
+    : triangles_(std::move(triangles)), near_(rest.size(), -1), apart_(rest.size(), nearest) {
+    glm::vec3 largest{0};
+    std::vector<glm::vec3> normals;
+    for (const auto& [a, b, c] : triangles_) {
+        normals.push_back(glm::cross(rest[b] - rest[a], rest[c] - rest[a]));
+        if (glm::length(normals.back()) > glm::length(largest)) largest = normals.back();
+    }
+    for (const glm::vec3& n : normals)
+        outside_.push_back(std::fabs(glm::dot(n, largest)) >
+                           0.9f * glm::length(n) * glm::length(largest));
+    const std::vector<int> solid = solidsOf(rest.size(), triangles_);
+    std::vector<unsigned char> used(rest.size());
+    for (const auto& t : triangles_)
+        for (const int v : t) used[v] = 1;
+    std::vector<int> order;  // along x
+    for (int v = 0; v < std::ssize(rest); ++v)
+        if (used[v]) order.push_back(v);
+    std::ranges::sort(order, {}, [&](int v) { return std::pair(rest[v].x, v); });
+    for (std::size_t i = 0; i < order.size(); ++i)
+        for (std::size_t j = i + 1; j < order.size(); ++j) {
+            const int a = order[i], b = order[j];
+            if (rest[b].x - rest[a].x > nearest) break;
+            if (solid[a] == solid[b]) continue;
+            const float away = glm::length(rest[a] - rest[b]);
+            for (const auto& [v, w] : {std::pair{a, b}, {b, a}})
+                if (away < apart_[v]) apart_[v] = away, near_[v] = w;
+        }
+}
+
+void Facets::update(std::span<const glm::vec3> positions, std::span<MeshVertex> vertices) const {
+    const auto opened = [&](int v) {
+        if (near_[v] < 0) return 0.0f;
+        const float away = glm::length(positions[v] - positions[near_[v]]) - apart_[v];
+        return std::clamp(away / wideOpen, 0.0f, 1.0f);
+    };
+    // What is closed is drawn without its kerf and bevel.
+    std::vector<glm::vec3> drawn(positions.begin(), positions.end());
+    for (std::size_t v = 0; v < drawn.size(); ++v)
+        if (near_[v] >= 0)
+            drawn[v] +=
+                (0.5f - 0.5f * opened(static_cast<int>(v))) * (positions[near_[v]] - positions[v]);
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+        const auto& [a, b, c] = triangles_[i];
+        const glm::vec3 n = glm::cross(positions[b] - positions[a], positions[c] - positions[a]);
+        const float l = glm::length(n);
+        const float shown = outside_[i] ? -1 : std::max({opened(a), opened(b), opened(c)});
+        for (int k = 0; k < 3; ++k) {
+            MeshVertex& v = vertices[3 * i + k];
+            v.position = drawn[triangles_[i][k]];
+            v.normal = l > 0 ? n / l : glm::vec3(0, 1, 0);
+            v.tangent = {0, 0, 0};
+            v.satin = shown;
+        }
+    }
+}
+
+}  // namespace plait
