@@ -116,7 +116,8 @@ TEST_CASE("The ballerina's skin is one closed surface that looks outward", "[bal
     CHECK(volume(dancer.shape().positions, triangles) > 0.03);
 }
 
-TEST_CASE("The ballerina never passes through herself and keeps her volume", "[ballerina]") {
+TEST_CASE("The ballerina never passes through herself and keeps her volume",
+          "[ballerina][figures]") {
     const Ballerina dancer;
     const double whole = volume(dancer.positions(0), dancer.triangles());
     int intersections = 0;
@@ -132,7 +133,7 @@ TEST_CASE("The ballerina never passes through herself and keeps her volume", "[b
     CHECK(report("under the floor, m", under, 0.002));
 }
 
-TEST_CASE("The ballerina's limbs keep their sections", "[ballerina]") {
+TEST_CASE("The ballerina's limbs keep their sections", "[ballerina][figures]") {
     const Ballerina dancer;
     // At rest: along the left leg and arm.
     const Point hip{0.085, 0.905, 0}, down{0.1050, -0.9945, 0};
@@ -156,7 +157,7 @@ TEST_CASE("The ballerina's limbs keep their sections", "[ballerina]") {
     CHECK(report("greatest area of a section, parts gained", most - 1, 0.10));
 }
 
-TEST_CASE("The ballerina moves without jerks", "[ballerina]") {
+TEST_CASE("The ballerina moves without jerks", "[ballerina][figures]") {
     const Ballerina dancer;
     // All keys are at whole hundredths: a jump of velocity v there would show as v / h.
     constexpr double h = 1e-4;
@@ -174,7 +175,7 @@ TEST_CASE("The ballerina moves without jerks", "[ballerina]") {
     CHECK(report("greatest acceleration, m/s^2", greatest, 400));
 }
 
-TEST_CASE("The ballerina's feet stay where they stand", "[ballerina]") {
+TEST_CASE("The ballerina's feet stay where they stand", "[ballerina][figures]") {
     const Ballerina dancer;
     const std::vector<Point>& rest = dancer.shape().positions;
     double slid = 0, off = 0;
@@ -209,7 +210,7 @@ TEST_CASE("The ballerina's feet stay where they stand", "[ballerina]") {
     CHECK(report("a tip turns off the point that it stands on, m", off, 0.001));
 }
 
-TEST_CASE("The ballerina's weight is carried, or falls", "[ballerina]") {
+TEST_CASE("The ballerina's weight is carried, or falls", "[ballerina][figures]") {
     const Ballerina dancer;
     constexpr double h = 1e-3, gravity = 9.81;
     double apart = 0, closest = 1;

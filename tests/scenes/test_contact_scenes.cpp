@@ -48,7 +48,8 @@ Points holdToBands(const Scene& scene, int frames) {
 
 // While the cloth slides away below it, for T, a tin gains mu g T; then it slides on the table as
 // far again before it stops.
-TEST_CASE("tablecloth: friction alone moves what stands on it", "[contacts][friction][scenes]") {
+TEST_CASE("tablecloth: friction alone moves what stands on it",
+          "[contacts][friction][scenes][figures]") {
     struct Course {
         Range tin;
         double on = 0, off = 0, speed = 0;  // s, s, m/s

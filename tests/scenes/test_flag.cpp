@@ -161,7 +161,7 @@ TEST_CASE("flag: without wind its energy never grows", "[flag][figures]") {
     }
 }
 
-TEST_CASE("flag: how often one looks changes no bit of it in steady wind", "[flag]") {
+TEST_CASE("flag: how often one looks changes no bit of it in steady wind", "[flag][figures]") {
     std::vector<std::uint64_t> hashes;
     for (const int rate : {24, 30, 60}) {
         const Scene scene = flagOf(Quality::draft, {}, {{"weather", "steady"}}, rate);

@@ -22,7 +22,7 @@ TEST_CASE("slinky: its wire alone says what it weighs and how it swings [FX4]", 
                  std::fabs(slinky.collapse() / slinky.period() * 4 * std::sqrt(3.0) - 1), 1e-12));
 }
 
-TEST_CASE("slinky: hung, let go, its last turn hangs in the air [FX4]", "[rods]") {
+TEST_CASE("slinky: hung, let go, its last turn hangs in the air [FX4]", "[rods][figures]") {
     const Scene scene = build(findScene("levitation"));
     const Slinky slinky;
     const double extension = -scene.world.start[0].y - slinky.turns * slinky.wire.across;

@@ -158,7 +158,7 @@ TEST_CASE("newton: midpoint keeps the energy of a spring", "[newton]") {
     CHECK(report("unit spring, midpoint, h 0.5, 1000 steps: energy", worst, 1e-12));
 }
 
-TEST_CASE("newton: falling chains of rigid links converge at their order", "[newton]") {
+TEST_CASE("newton: falling chains of rigid links converge at their order", "[newton][figures]") {
     const Points reference = fallen(20, 0.25, 2000);
     note("fall of 20 links, reference, self-difference", rms(reference, fallen(20, 0.25, 1000)));
     checkFall(1, 1, 960, fallen(1, 1, 4000));

@@ -98,7 +98,7 @@ TEST_CASE("newton: nothing is left of the equations of a soft sheet", "[newton]"
     }
 }
 
-TEST_CASE("newton: a sheet of rigid links", "[newton]") {
+TEST_CASE("newton: a sheet of rigid links", "[newton][figures]") {
     for (const Integrator integrator : all) {
         Solver<double> solver(rigidSheet(10, 0.01), newton(2400, integrator));
         advance(solver, 60);
@@ -112,7 +112,8 @@ TEST_CASE("newton: a sheet of rigid links", "[newton]") {
     }
 }
 
-TEST_CASE("newton: what has no solution is said, and the frame is taken back", "[newton]") {
+TEST_CASE("newton: what has no solution is said, and the frame is taken back",
+          "[newton][figures]") {
     // Flat, the equations of rigid links are singular.
     Solver<double> solver(rigidSheet(10, 0), newton(240, Integrator::first));
     const std::uint64_t before = solver.hash();

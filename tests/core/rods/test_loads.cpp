@@ -128,7 +128,7 @@ TEST_CASE("loads: a moment bends a rod to an arc of a circle", "[rods]") {
 
 // Pushed together by a tenth of its length, a rod between clamps is an elastica: of the modulus p
 // for which 2 E(p) / K(p) - 1 = 0.9, its middle p L / K(p) aside.
-TEST_CASE("loads: a rod between two clamps that near each other", "[rods]") {
+TEST_CASE("loads: a rod between two clamps that near each other", "[rods][figures]") {
     double low = 0, high = 0.999;
     while (high - low > 1e-14) {
         const double p = (low + high) / 2;

@@ -179,7 +179,7 @@ std::string name(const Sheet& s) {
 }  // namespace
 
 TEST_CASE("a palindrome has real eigenvalues in [0, 1], and substeps with it are stable",
-          "[sweeps]") {
+          "[sweeps][figures]") {
     for (const Sheet& sheet : sheets) {
         World world = bentSheet(sheet.n, sheet.bend);
         const Spectrum s = spectrum(sweepMatrix(world, sheet.n, {forward, backward}));
@@ -214,7 +214,7 @@ TEST_CASE("a palindrome is self-adjoint in the masses", "[sweeps]") {
     REQUIRE(skew({forward}) > 1);
 }
 
-TEST_CASE("one-way sweeps are unstable on a curved sheet", "[sweeps]") {
+TEST_CASE("one-way sweeps are unstable on a curved sheet", "[sweeps][figures]") {
     for (const Sheet& sheet : sheets) {
         const World world = bentSheet(sheet.n, sheet.bend);
         const Spectrum s = spectrum(sweepMatrix(world, sheet.n, {forward}));
@@ -233,7 +233,7 @@ TEST_CASE("one-way sweeps are unstable on a curved sheet", "[sweeps]") {
             spectrum(sweep, sweeps).bdf2 - 1);
 }
 
-TEST_CASE("directions that alternate from substep to substep explode", "[sweeps]") {
+TEST_CASE("directions that alternate from substep to substep explode", "[sweeps][figures]") {
     for (const Sheet& sheet : sheets) {
         if (sheet.alternating == 0) continue;
         const World world = bentSheet(sheet.n, sheet.bend);

@@ -96,7 +96,7 @@ const SheetOptions sheets[] = {{.aggregates = true}, {.strands = false, .aggrega
 
 }  // namespace
 
-TEST_CASE("cuts: a sheet cut in half while it swings", "[inextensible][cuts]") {
+TEST_CASE("cuts: a sheet cut in half while it swings", "[inextensible][cuts][figures]") {
     const Cut half = where([](int v) { return v % n < n / 2; });
     for (const SheetOptions& sheet : sheets) {
         const Outcome cut = cutWhileItSwings(half, sheet, false);

@@ -79,7 +79,8 @@ void holdAll(int n, const Work& work) {
 
 }  // namespace
 
-TEST_CASE("sheet cases: 12 palindromes a frame hold all of 32 x 32 to 2 %", "[inextensible]") {
+TEST_CASE("sheet cases: 12 palindromes a frame hold all of 32 x 32 to 2 %",
+          "[inextensible][figures]") {
     holdAll(32, {});
 }
 

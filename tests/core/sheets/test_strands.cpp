@@ -283,7 +283,8 @@ TEST_CASE("strands: a corner of more than 60 degrees ends one", "[strands]") {
 
 // Three evaluations of one substep, so that multipliers count as well. A float solve is off by its
 // rounding times the condition of the system.
-TEMPLATE_TEST_CASE("strands: evaluations are those of dense algebra", "[strands]", double, float) {
+TEMPLATE_TEST_CASE("strands: evaluations are those of dense algebra", "[strands][figures]", double,
+                   float) {
     for (const auto& [air, turns] :
          {std::pair{false, false}, {true, false}, {false, true}, {true, true}}) {
         const Chains chains(20);

@@ -40,7 +40,7 @@ std::vector<KernelChoice> everyChoice() {
 
 }  // namespace
 
-TEST_CASE("determinism: lanes and instruction sets", "[determinism]") {
+TEST_CASE("determinism: lanes and instruction sets", "[determinism][figures]") {
     for (const SceneEntry& entry : smallScenes()) {
         const Scene scene = build(entry, Quality::draft);
         const std::uint64_t expected = hashAfter<float>(scene, 1, {Isa::v2, 1});

@@ -29,7 +29,8 @@ void checkFresh(const Scene& scene, int frames) {
 
 }  // namespace
 
-TEST_CASE("fresh solver: each frame of every scene leaves the same bits", "[fresh][determinism]") {
+TEST_CASE("fresh solver: each frame of every scene leaves the same bits",
+          "[fresh][determinism][figures]") {
     for (const SceneEntry& entry : scenes()) {
         INFO(entry.name);
         checkFresh<float>(build(entry, Quality::draft), 3);
