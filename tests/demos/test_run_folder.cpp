@@ -55,7 +55,7 @@ void sleepFor(double seconds) {
 
 }  // namespace
 
-TEST_CASE("a checkpoint goes on with the same bits, in every scene", "[program]") {
+TEST_CASE("a checkpoint goes on with the same bits, in every scene", "[program][figures]") {
     for (const SceneEntry& entry : smallScenes())
         for (const char* precision : {"float", "double"}) {
             INFO(entry.name << ", " << precision);

@@ -84,7 +84,7 @@ Section sectionOf(const Ballerina& dancer, const Point& p, const Point& axis, do
 
 }  // namespace
 
-TEST_CASE("The ballerina's skin is one closed surface that looks outward", "[ballerina]") {
+TEST_CASE("The ballerina's skin is one closed surface that looks outward", "[ballerina][figures]") {
     const Ballerina dancer;
     const std::vector<Triangle>& triangles = dancer.triangles();
     const int vertices = static_cast<int>(dancer.shape().positions.size());

@@ -132,7 +132,8 @@ TEST_CASE("trampoline: it throws back, and never more than fell on it", "[contac
     CHECK(thrown > 0.1);
 }
 
-TEST_CASE("layered sheets: each lies its thickness above the one below", "[contacts][scenes]") {
+TEST_CASE("layered sheets: each lies its thickness above the one below",
+          "[contacts][scenes][figures]") {
     const Scene scene = sceneWith("layered-sheets", "shock", 4);
     const Points x = holdToBands(scene, 24);
     // Of the middle, on the ball's top.

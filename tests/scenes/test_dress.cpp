@@ -45,7 +45,7 @@ TEST_CASE("dress: it begins free of her and of itself", "[dress]") {
 }
 
 // The first quarter of a second: both layers fall on each other and on her hips.
-TEST_CASE("dress: while it falls nothing passes through anything", "[dress]") {
+TEST_CASE("dress: while it falls nothing passes through anything", "[dress][figures]") {
     const Scene scene = build(findScene("dress"), Quality::draft);
     const std::vector<double> most = worst(scene, 0, 6);
     for (std::size_t i = 0; i < most.size(); ++i)

@@ -87,7 +87,7 @@ double pullOf(const Capstan& capstan) {
 
 }  // namespace
 
-TEST_CASE("capstan: a rope that slips on a solid pulls e^(mu theta)", "[rods]") {
+TEST_CASE("capstan: a rope that slips on a solid pulls e^(mu theta)", "[rods][figures]") {
     for (const double angle : {pi / 2, pi, 2 * pi})
         for (const double friction : {0.1, 0.3, 0.5}) {
             const double expected = std::exp(friction * angle);

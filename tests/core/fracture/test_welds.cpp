@@ -145,7 +145,7 @@ TEST_CASE("welds: a strip on two supports breaks under its weight [BR7]", "[weld
     REQUIRE(report("the same over substeps and iterations", most / least - 1, 0.05));
 }
 
-TEST_CASE("welds: irregular strips break within limits [BR7]", "[welds]") {
+TEST_CASE("welds: irregular strips break within limits [BR7]", "[welds][figures]") {
     const double length = std::sqrt(strength * thickness / (3 * glass * 9.81));
     for (const int cells : {300, 1200}) {
         const Pane pane{.width = length, .height = 0.3, .thickness = thickness};

@@ -273,7 +273,7 @@ TEST_CASE("gas: two balls share one gas", "[gas]") {
                0.03));
 }
 
-TEST_CASE("gas: what is squeezed between plates keeps p V", "[gas]") {
+TEST_CASE("gas: what is squeezed between plates keeps p V", "[gas][figures]") {
     World world;
     const Range ball = addBall(world, 0.3, 3);
     addSprings(world, ball, 300, 0.99);

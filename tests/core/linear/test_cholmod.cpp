@@ -48,7 +48,7 @@ void checkSheets(int n) {
 
 }  // namespace
 
-TEST_CASE("multifrontal: solves what CHOLMOD solves", "[multifrontal][cholmod]") {
+TEST_CASE("multifrontal: solves what CHOLMOD solves", "[multifrontal][cholmod][figures]") {
     for (const int n : {16, 33, 64}) checkSheets(n);
 }
 

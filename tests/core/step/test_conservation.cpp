@@ -252,7 +252,7 @@ void constrainWatched(World& world, const Rows<Kind>& rows, const SetOptions& op
 }  // namespace
 
 TEMPLATE_TEST_CASE("angular momentum changes by what corrections lag behind, and no more [A10]",
-                   "[conservation]", double, float) {
+                   "[conservation][figures]", double, float) {
     everyKind([](const std::string& kind, const World& body, const auto& rows, bool direct) {
         double torque = 0, damped = 0, unexplained = 0;
         for (const Variant& variant : variants()) {

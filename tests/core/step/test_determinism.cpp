@@ -89,7 +89,7 @@ TEMPLATE_TEST_CASE("determinism: threads on a large sheet", "[determinism][threa
     }
 }
 
-TEST_CASE("determinism: a run that is rewound is the run again", "[determinism]") {
+TEST_CASE("determinism: a run that is rewound is the run again", "[determinism][figures]") {
     for (const SceneEntry& entry : smallScenes()) {
         const Scene scene = build(entry, Quality::draft);
         Solver<float> solver(scene.world, scene.options);

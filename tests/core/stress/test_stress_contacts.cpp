@@ -282,7 +282,7 @@ void outlast(const std::string& name, const Jump& jump) {
 }  // namespace
 
 // Growing it goes at 11 m/s, turning at 17.
-TEST_CASE("stress 23: what cloth lies on jumps within a frame", "[stress][contacts]") {
+TEST_CASE("stress 23: what cloth lies on jumps within a frame", "[stress][contacts][figures]") {
     outlast("mesh turns by 90 degrees", {});
     outlast("mesh turns, a step a frame", {.substeps = 1});
     outlast("collider turns by 90 degrees", {.mesh = false});
