@@ -55,12 +55,17 @@ PieceContacts<Real>::PieceContacts(const World& world, std::vector<Surface> surf
         shapes_.push_back(shapeOf(world, body, surfaces_[p], options.name));
         thickness_.push_back(surfaces_[p].thickness.value_or(0));
         slack_ = std::max(slack_, thickness_[p]);
+        bouncy_ = bouncy_ || surfaces_[p].restitution > 0;
         if (body.inverseMass == 0)
             for (int v = body.vertices.first; v < body.vertices.last; ++v) pinned_[v] = 1;
         else
             size = size == 0 ? shapes_[p].radius : std::min(size, shapes_[p].radius);
     }
     slack_ = std::max(2 * slack_, 0.02 * size);
+    if (bouncy_) {
+        coming_.resize(pieces_.count());
+        bounces_.bodies.resize(pieces_.count());
+    }
 }
 
 template <class Real>
@@ -71,6 +76,18 @@ void PieceContacts<Real>::begin(const Substep& substep, Workers&) {
     ready_ = false;
     backRounds_ = 0;
     back_.clear();
+    for (PieceBounces::Body& body : bounces_.bodies) body.struck = false;
+}
+
+template <class Real>
+void PieceContacts<Real>::strike(const Sweep<Real>& sweep, const State<Real>& state,
+                                 const Drawer<Real>& kept, Workers& workers) {
+    memory_.read(kept);
+    if (clusters_ >= 0) leaders_ = std::span(state.kept[clusters_].integers).first(pieces_.count());
+    if (!bouncy_) return;
+    workers.forBlocks(pieces_.count(), 16, [&](int begin, int end) {
+        for (int p = begin; p < end; ++p) noteComing(sweep, state, p);
+    });
 }
 
 // All that comes near a piece on its way is within these, with half of what contacts reach beyond.
@@ -185,6 +202,7 @@ void PieceContacts<Real>::conclude(const Sweep<Real>&, Workers&) {
         if (way > least) struck_[touches_.leader(p)] = 1;
     }
     memory_.note(touches_, h_);
+    if (bouncy_ && ready_ && !gaveUp_) bounce();
 }
 
 // The first-order velocity, and a past that continues it: BDF2 would make half a bounce of what
@@ -194,6 +212,10 @@ void PieceContacts<Real>::rebound(State<Real>& state, Drawer<Real>& kept) const 
     memory_.write(kept);
     if (state.last.empty()) return;
     for (int p = 0; p < pieces_.count(); ++p) {
+        if (bouncy_ && bounces_.bodies[touches_.leader(p)].struck) {
+            leave(state, p);
+            continue;
+        }
         if (!struck_[touches_.leader(p)] || !touches_.yields(p)) continue;
         const Range& all = pieces_.body(p).vertices;
         for (int v = all.first; v < all.last; ++v) {

@@ -15,6 +15,7 @@
 #include "../surface.h"
 #include "approach.h"
 #include "near_pieces.h"
+#include "piece_bounces.h"
 #include "touch_memory.h"
 
 #include <algorithm>
@@ -38,12 +39,9 @@ public:
     }
     void furnish(Drawer<Real>& kept) const override { memory_.furnish(kept); }
     void begin(const Substep& substep, Workers& workers) override;
-    void strike(const Sweep<Real>&, const State<Real>& state, const Drawer<Real>& kept,
-                Workers&) override {
-        memory_.read(kept);
-        if (clusters_ >= 0)
-            leaders_ = std::span(state.kept[clusters_].integers).first(pieces_.count());
-    }
+    bool needsPast() const override { return bouncy_; }
+    void strike(const Sweep<Real>& sweep, const State<Real>& state, const Drawer<Real>& kept,
+                Workers& workers) override;
     void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override;
     long finish(const Sweep<Real>& sweep, Workers& workers) override;
     long holdBack(const Sweep<Real>& sweep, Workers& workers) override;
@@ -105,6 +103,11 @@ private:
     long findCrossing(Workers& workers);
     long putBack(const Sweep<Real>& sweep, Workers& workers, long crossing, bool hold);
     long putEverythingBack(const Sweep<Real>& sweep) const;
+    void noteComing(const Sweep<Real>& sweep, const State<Real>& state, int piece);
+    void gatherBodies();
+    void gatherPairs();
+    void bounce();
+    void leave(State<Real>& state, int piece) const;
 
     ContactOptions options_;
     Pieces pieces_;
@@ -126,6 +129,12 @@ private:
     std::vector<Found> found_;  // by block of near_
     Touches touches_;           // foreseen, then those that crossed
     TouchMemory memory_;
+    bool bouncy_ = false;  // something has restitution
+    struct Coming {
+        Vec<double> velocity{}, momentum{}, gain{};  // m/s; kg m^2/s, about its centre; m/s^2
+    };
+    std::vector<Coming> coming_;   // by piece, where the substep began
+    PieceBounces bounces_;         // bodies by leader
     std::vector<Vec<Real>> left_;  // d, as its pose was last found or put
     ImpactZones zones_;
     std::vector<int> whole_;                // vertices of two pieces
