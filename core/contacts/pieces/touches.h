@@ -63,8 +63,8 @@ public:
     std::vector<TouchedPoint> points;
 
     // A substep begins with this piece there: how it answers until the end.
-    // `radius` (m) is that of what is farthest from its centre.
-    void begin(int piece, const Pose& start, double radius);
+    // `radius` (m) is that of what is farthest from its centre; what is held does not yield.
+    void begin(int piece, const Pose& start, double radius, bool held);
     bool yields(int piece) const { return answers_[place(piece)].inverseMass > 0; }
     // When all have begun: pieces with the same leader, which is one of them, answer as one body.
     void join(std::span<const std::int32_t> leaders, std::span<const Pose> start);

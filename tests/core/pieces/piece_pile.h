@@ -35,10 +35,11 @@ struct Pile {
     void floor(double thickness, double friction) {
         add(box({6, 0.2, 6}), {.shift = {0, -0.1, 0}}, thickness, friction, true);
     }
-    void meet(const Vec<double>& gravity = {0, -9.81, 0}, double recovery = 0.5) {
+    void meet(const Vec<double>& gravity = {0, -9.81, 0}, double recovery = 0.5,
+              const SleepOptions& sleep = {}) {
         world.act<Gravity>(GravityOptions{.acceleration = gravity});
         holdPieces(world, {.name = "pieces", .importance = 1});
-        meetPieces(world, surfaces, {.name = "contacts", .recovery = recovery});
+        meetPieces(world, surfaces, {.name = "contacts", .recovery = recovery}, sleep);
     }
     Vec<double> middle(const std::vector<Vec<double>>& x, int piece) const {
         const Range& all = pieces[piece].vertices;
