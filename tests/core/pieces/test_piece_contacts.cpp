@@ -4,6 +4,7 @@
 #include "tests/catch.h"
 #include "tests/report.h"
 
+#include <plait/contacts/pieces/mass_ratio.h>
 #include <plait/measure/surfaces/intersections.h>
 
 #include <algorithm>
@@ -222,6 +223,24 @@ TEST_CASE("piece contacts: the same bits from any number of threads, and resumed
     resumed.restore(middle, 0);
     for (int frame = 0; frame < 6; ++frame) resumed.frame();
     CHECK(resumed.hash() == expected);
+}
+
+TEST_CASE("piece contacts: a mass ratio beyond the settings is warned of in a line", "[pieces]") {
+    const ScheduleOptions eighty = options(10, 8).schedule;
+    for (const auto& [heavy, passes, warned] :
+         {std::tuple{79.0, 8, 0}, {81.0, 8, 1}, {81.0, 9, 0}, {1000.0, 32, 1}}) {
+        World world = tower({1000, heavy * 1000, 2000}).world;
+        warnOfMassRatio(world, options(10, passes).schedule);
+        CHECK(std::ssize(world.warnings) == warned);
+    }
+    World world = tower({1000, 100000}).world;
+    warnOfMassRatio(world, eighty, 0.5);  // a film twice as slow looks twice as often
+    CHECK(world.warnings.empty());
+    warnOfMassRatio(world, eighty);
+    REQUIRE(world.warnings.size() == 1);
+    CHECK(world.warnings[0] ==
+          "pieces differ in mass by 100 : 1; contacts evaluated 80 times in 1/24 s hold up to 80 : "
+          "1");
 }
 
 TEST_CASE("piece contacts: what is wrong is refused by name", "[pieces]") {
