@@ -15,13 +15,21 @@ public:
 
     void project(const Sweep<Real>& sweep, Direction, Workers& workers) override {
         workers.forBlocks(pieces_.count(), 16, [&](int begin, int end) {
-            for (int p = begin; p < end; ++p) pieces_.put(sweep, p, pieces_.poseOf(sweep, p));
+            for (int p = begin; p < end; ++p)
+                if (moves(sweep, p)) pieces_.put(sweep, p, pieces_.poseOf(sweep, p));
         });
     }
     // A pose is six numbers.
     long size() const override { return 6L * pieces_.count(); }
 
 private:
+    bool moves(const Sweep<Real>& sweep, int piece) const {
+        const Range& all = pieces_.body(piece).vertices;
+        for (int v = all.first; v < all.last; ++v)
+            if (sweep.particles[8 * v + 3] != Real(0)) return true;
+        return false;
+    }
+
     Pieces pieces_;
 };
 

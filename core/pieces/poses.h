@@ -73,7 +73,9 @@ public:
     PoseWay(const Pose& from, const Pose& to);
 
     const Pose& start() const { return from_; }
-    Pose at(double part) const;  // 0 to 1
+    Pose at(double part) const;                        // 0 to 1
+    const Vec<double>& shift() const { return way_; }  // m, of the centre
+    const Vec<double>& turn() const { return turn_; }  // rad, for turnBy
     // By how much what is within `radius` (m) of the centre goes along n of unit length at most,
     // for each part of the way of length 1.
     double along(const Vec<double>& n, double radius) const {

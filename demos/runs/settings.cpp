@@ -4,6 +4,7 @@
 #include "demos/tools/interrupt.h"
 #include "demos/tools/words.h"
 
+#include <plait/contacts/pieces/mass_ratio.h>
 #include <plait/files/mesh_sequence.h>
 #include <plait/measure/hash.h>
 
@@ -238,6 +239,8 @@ Run makeRun(const Settings& settings) {
     if (const double frames = run.scene.seconds * run.frameRate(); frames > mostFrames)
         throw UsageError("--seconds and --fps: " + text(std::ceil(frames)) +
                          " frames are more than " + text(mostFrames));
+    const SolverOptions& options = run.scene.options;
+    warnOfMassRatio(run.scene.world, options.schedule, options.timeScale);
     return run;
 }
 

@@ -83,21 +83,22 @@ Vec<double> pulled(double t, double speed) {
 }
 
 // In m: how far the middle of the tin that went furthest has gone.
-Metric tinsMoved(const World& world, const std::vector<Range>& tins) {
+Metric tinsMoved(const World& world, const std::vector<Piece>& tins) {
     const auto middle = [](const std::vector<Vec<double>>& x, Range tin) {
         Vec<double> sum{};
         for (int v = tin.first; v < tin.last; ++v) sum += x[static_cast<std::size_t>(v)];
         return (1.0 / tin.size()) * sum;
     };
     std::vector<Vec<double>> start;
-    for (const Range tin : tins) start.push_back(middle(world.start, tin));
+    for (const Piece& tin : tins) start.push_back(middle(world.start, tin.surface()));
     return {.name = "moved",
             .unit = "m",
             .measure =
                 [=](const Snapshot& at) {
                     double most = 0;
                     for (std::size_t i = 0; i < tins.size(); ++i)
-                        most = std::max(most, length(middle(at.positions, tins[i]) - start[i]));
+                        most = std::max(most,
+                                        length(middle(at.positions, tins[i].surface()) - start[i]));
                     return most;
                 },
             .caption = true};
@@ -114,14 +115,14 @@ Range addCloth(World& world, int columns, int rows, double cell) {
         cotton);
 }
 
-std::vector<Range> addTins(World& world) {
+std::vector<Piece> addTins(World& world) {
     constexpr double mass = 0.05, foot = clearance + 2 * thickness;  // kg, m
-    std::vector<Range> tins;
+    std::vector<Piece> tins;
     for (const auto& [radius, height, x, z] : {std::array{0.035, 0.09, -0.15, -0.25},
                                                {0.045, 0.05, 0.02, -0.38},
                                                {0.03, 0.11, 0.17, -0.28},
                                                {0.04, 0.04, 0.06, -0.17}})
-        tins.push_back(addBody(world, tin(radius, height, {x, foot, z}), mass));
+        tins.push_back(addSolid(world, tin(radius, height, {x, foot, z}), mass));
     return tins;
 }
 
@@ -135,23 +136,22 @@ Range pullHem(World& world, Range hem, double speed) {
     return bar;
 }
 
-// Tins are heavy for such threads, which yield to them as if they were heavier.
-void meetAll(World& world, Range cloth, Range table, const std::vector<Range>& tins,
+void meetAll(World& world, Range cloth, Range table, const std::vector<Piece>& tins,
              double friction) {
     std::vector<Surface> surfaces{roughSurface(cloth, thickness, friction),
                                   roughSurface(table, thickness, friction)};
-    for (const Range tin : tins) {
-        surfaces.push_back(roughSurface(tin, thickness, friction));
-        surfaces.back().layer = 1;
-    }
+    for (const Piece& tin : tins)
+        surfaces.push_back(roughSurface(tin.surface(), thickness, friction));
     for (std::size_t i = 1; i < surfaces.size(); ++i) surfaces[i].self = Self::none;
-    meet(world, surfaces, {.order = 5, .layerShock = 30});
-    addGround(world, {tins.front().first, tins.back().last}, floorHeight, thickness, 6);
+    meet(world, surfaces, {.order = 5});
+    addGround(world, {tins.front().vertices.first, tins.back().vertices.last}, floorHeight,
+              thickness, 6);
 }
 
-View viewOf(Range cloth, Range bar, const std::vector<Range>& tins) {
+View viewOf(Range cloth, Range bar, const std::vector<Piece>& tins) {
     View view = plait::viewOf({cloth}, {0, -0.02, 0.0}, 0.8, Material::cotton, {1.9, 0.85, 1.5});
-    for (const Range tin : tins) view.looks.push_back(lookOf(tin, Material::brass, 0.01));
+    for (const Piece& tin : tins)
+        view.looks.push_back(lookOf(tin.surface(), Material::brass, 0.01));
     view.looks.push_back(lookOf(bar, Material::steel, 0.008));
     view.groundHeight = floorHeight;
     addBox(view, tableLow, tableHigh);
@@ -174,21 +174,21 @@ Scene tablecloth(const Knobs& knobs) {
     const Range cloth = addCloth(world, columns, rows, cell);
     const Range table = world.add(boxSurface(tableLow, tableHigh));
     world.pin(pointStencils(table));
-    const std::vector<Range> tins = addTins(world);
+    const std::vector<Piece> tins = addTins(world);
     const Range bar = pullHem(world, {cloth.last - columns, cloth.last}, speed);
 
     world.act<Gravity>(GravityOptions{});
     const std::vector<int> threads = weave(world, cloth, gridThreads(columns), 15, "", 0.01);
     world.constrain(bendRows(world.complex, cloth, world.rest, 1e-6), {.name = "bend", .order = 3});
-    keepShapes(world, tins, {.name = "tins", .order = 4});
+    holdPieces(world, {.name = "tins", .order = 4});
     meetAll(world, cloth, table, tins, knobs.number("friction"));
-    const int substeps = knobs.byQuality(10, 16, 32);
+    const int substeps = knobs.byQuality(16, 16, 32);
     scene.options.schedule = {.substeps = substeps, .iterations = 4, .collisionPasses = 4};
     scene.options.baseSteps = substeps;
     scene.options.timeScale = 0.25;
     scene.seconds = (pullStart + run / speed + hurry + 0.1) / scene.options.timeScale;
     scene.metrics = {greatestStrain(world, threads, {0, 2}),
-                     selfIntersections(world, {cloth.first, tins.back().last}, {0, 0}),
+                     selfIntersections(world, {cloth.first, tins.back().vertices.last}, {0, 0}),
                      tinsMoved(world, tins), contactFailures()};
     scene.view = viewOf(cloth, bar, tins);
     return scene;

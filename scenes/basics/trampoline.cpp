@@ -48,22 +48,23 @@ Range addSheet(World& world, int rings) {
 }
 
 // A light ball that lies on the sheet, a heavy one that falls on it, and another light one.
-std::vector<Range> addBalls(World& world, double drop) {
+std::vector<Piece> addBalls(World& world, double drop) {
     constexpr double low = 2 * thickness;
-    std::vector<Range> balls;
+    std::vector<Piece> balls;
     for (const auto& [size, mass, x, y, z] : {std::array{0.05, 0.05, 0.2, low, 0.05},
                                               {0.08, heavy, -0.06, drop, 0.02},
                                               {0.065, 0.1, -0.22, low, -0.2}})
-        balls.push_back(addBody(
+        balls.push_back(addSolid(
             world, sphere({.subdivisions = 1, .radius = size}, {.origin = {x, size + y, z}}),
             mass));
     return balls;
 }
 
-View viewOf(Range sheet, Range ring, const std::vector<Range>& balls) {
+View viewOf(Range sheet, Range ring, const std::vector<Piece>& balls) {
     View view = plait::viewOf({sheet}, {0, 0.16, 0}, 1.2, Material::cotton, {0.3, 0.32, 2.1});
     view.looks.push_back(lookOf(ring, Material::steel, 0.018));
-    for (const Range ball : balls) view.looks.push_back(lookOf(ball, Material::brass, 0.01));
+    for (const Piece& ball : balls)
+        view.looks.push_back(lookOf(ball.surface(), Material::brass, 0.01));
     view.groundHeight = -bed;
     for (int i = 0; i < 4; ++i) {
         const double a = pi * (0.25 + 0.5 * i);
@@ -80,27 +81,29 @@ Scene trampoline(const Knobs& knobs) {
     World& world = scene.world;
     const double drop = knobs.number("drop");
     const Range sheet = addSheet(world, knobs.byQuality(12, 20, 40));
-    const std::vector<Range> balls = addBalls(world, drop);
+    const std::vector<Piece> balls = addBalls(world, drop);
     const Range ring = addRing(world);
 
     world.act<Gravity>(GravityOptions{});
     world.constrain(
         restRows<Stretch>(edgeStencils(world.complex, sheet), world.rest, 1 / stiffness),
         {.name = "stretch"});
-    keepShapes(world, balls, {.name = "balls", .order = 1});
+    holdPieces(world, {.name = "balls", .order = 1});
     std::vector<Surface> surfaces{{.vertices = sheet, .thickness = thickness}};
-    for (const Range ball : balls)
-        surfaces.push_back({.vertices = ball, .thickness = thickness, .self = Self::none});
+    for (const Piece& ball : balls)
+        surfaces.push_back(
+            {.vertices = ball.surface(), .thickness = thickness, .self = Self::none});
     meet(world, surfaces, {.order = 2});
-    addGround(world, {balls.front().first, balls.back().last}, -bed, thickness, 3);
+    const Range allBalls{balls.front().vertices.first, balls.back().vertices.last};
+    addGround(world, allBalls, -bed, thickness, 3);
     scene.options.schedule = {
         .substeps = knobs.byQuality(32, 48, 96), .iterations = 6, .collisionPasses = 3};
     scene.seconds = 3;
     scene.metrics = {
         energyGain(world, gravity, heavy * 9.81 * drop, {-infinity, 1}),
-        selfIntersections(world, {sheet.first, balls.back().last}, {0, 0}),
-        height("heavy", balls[1].first, {-bed, infinity}),
-        height("light", balls[0].first, {-bed, infinity}),
+        selfIntersections(world, {sheet.first, allBalls.last}, {0, 0}),
+        height("heavy", balls[1].vertices.first, {-bed, infinity}),
+        height("light", balls[0].vertices.first, {-bed, infinity}),
         contactFailures(),
     };
     scene.view = viewOf(sheet, ring, balls);

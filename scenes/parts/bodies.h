@@ -2,20 +2,12 @@
 #pragma once
 
 #include <plait/contacts/surface.h>
-#include <plait/world.h>
-
-#include <span>
-#include <vector>
+#include <plait/pieces/piece.h>
 
 namespace plait {
 
-// Adds a closed shell of this mass (kg), spread evenly on its surface. It keeps no shape until
-// `keepShapes`.
-Range addBody(World& world, const Shape& shape, double mass);
-
-// Links every vertex of each of these bodies with every other, so that a sweep or two suffices: as
-// many links as half the square of its vertices.
-void keepShapes(World& world, std::span<const Range> bodies, SetOptions options);
+// Adds a solid of this mass (kg), which is rigid from `holdPieces` on.
+Piece addSolid(World& world, const Shape& shape, double mass);
 
 // Keeps these vertices so far (m) above a floor of this height (m), without friction: adds the set
 // `ground`.

@@ -29,13 +29,14 @@ Convex shapeOf(const World& world, const Body& body, const Surface& surface,
 
 template <class Real>
 PieceContacts<Real>::PieceContacts(const World& world, std::vector<Surface> surfaces,
-                                   const ContactOptions& options)
+                                   const ContactOptions& options, const SleepOptions& sleep)
     : options_(options),
       pieces_(world),
       clusters_(world.clusters),
       surfaces_(std::move(surfaces)),
       pinned_(world.pinned),
       moves_(pieces_.count()),
+      placed_(pieces_.count()),
       ways_(pieces_.count()),
       starts_(pieces_.count()),
       looked_(pieces_.count()),
@@ -46,21 +47,29 @@ PieceContacts<Real>::PieceContacts(const World& world, std::vector<Surface> surf
       near_(pieces_.count()),
       touches_(pieces_),
       memory_(pieces_.count(), partners),
+      sleep_(pieces_.count(), sleep),
       left_(world.start.size()),
       zones_(world.start.size()),
       gravity_(world.gravity) {
+    if (sleep && std::ranges::count(world.sets, true, &World::Set::contact) > 1)
+        throw std::invalid_argument(options.name + ": what falls asleep may meet pieces alone");
     double size = 0;
     for (int p = 0; p < pieces_.count(); ++p) {
         const Body& body = pieces_.body(p);
         shapes_.push_back(shapeOf(world, body, surfaces_[p], options.name));
         thickness_.push_back(surfaces_[p].thickness.value_or(0));
         slack_ = std::max(slack_, thickness_[p]);
+        bouncy_ = bouncy_ || surfaces_[p].restitution > 0;
         if (body.inverseMass == 0)
             for (int v = body.vertices.first; v < body.vertices.last; ++v) pinned_[v] = 1;
         else
             size = size == 0 ? shapes_[p].radius : std::min(size, shapes_[p].radius);
     }
     slack_ = std::max(2 * slack_, 0.02 * size);
+    if (bouncy_) {
+        coming_.resize(pieces_.count());
+        bounces_.bodies.resize(pieces_.count());
+    }
 }
 
 template <class Real>
@@ -71,6 +80,22 @@ void PieceContacts<Real>::begin(const Substep& substep, Workers&) {
     ready_ = false;
     backRounds_ = 0;
     back_.clear();
+    for (PieceBounces::Body& body : bounces_.bodies) body.struck = false;
+}
+
+template <class Real>
+void PieceContacts<Real>::strike(const Sweep<Real>& sweep, const State<Real>& state,
+                                 const Drawer<Real>& kept, Workers& workers) {
+    memory_.read(kept);
+    if (clusters_ >= 0) leaders_ = std::span(state.kept[clusters_].integers).first(pieces_.count());
+    if (sleep_) {
+        sleep_.read(kept);
+        holdSleepers(sweep);
+    }
+    if (!bouncy_) return;
+    workers.forBlocks(pieces_.count(), 16, [&](int begin, int end) {
+        for (int p = begin; p < end; ++p) noteComing(sweep, state, p);
+    });
 }
 
 // All that comes near a piece on its way is within these, with half of what contacts reach beyond.
@@ -97,25 +122,13 @@ double PieceContacts<Real>::gapOf(int first, int second) const {
 
 template <class Real>
 void PieceContacts<Real>::prepare(const Sweep<Real>& sweep, Workers& workers) {
-    workers.forBlocks(pieces_.count(), 16, [&](int begin, int end) {
-        for (int p = begin; p < end; ++p) {
-            starts_[p] = looked_[p] = pieces_.startOf(sweep, p);
-            touches_.poses[p] = pieces_.poseOf(sweep, p);
-            noteLeft(sweep, p);
-            ways_[p] = PoseWay(starts_[p], touches_.poses[p]);
-            near_.bounds[p] = boundsOf(p);
-            touches_.begin(p, starts_[p], shapes_[p].radius);
-            moves_[p] = touches_.yields(p) || !(starts_[p] == touches_.poses[p]);
-            moved_[p] = 1;
-        }
+    workers.forBlocks(pieces_.count(), 16, [&](int first, int last) {
+        for (int p = first; p < last; ++p) begin(sweep, p);
     });
-    joinClusters();
-    near_.find(moves_);
-    ++counts_.searches;
-    counts_.pairs = std::max(counts_.pairs, static_cast<long>(near_.pairs.size()));
-    for (NearPieces::Near& near : near_.pairs) near.pair = -1;
-    lookAtNear(workers, [&](NearPieces::Near& near, Found& found) { foresee(near, found); });
-    take();
+    do {
+        joinClusters();
+        foreseeAll(workers);
+    } while (sleep_ && wakeTouched(sweep));
     counts_.contacts = std::max(counts_.contacts, std::ssize(touches_.points));
     touches_.linearise(workers);
     memory_.recall(touches_, starts_, h_);
@@ -123,6 +136,39 @@ void PieceContacts<Real>::prepare(const Sweep<Real>& sweep, Workers& workers) {
     leant_ = touches_.poses;
     touches_.colour();
     ready_ = true;
+}
+
+template <class Real>
+void PieceContacts<Real>::begin(const Sweep<Real>& sweep, int piece) {
+    const bool asleep = sleep_.asleep(piece);
+    if (!placed_[piece]) {
+        starts_[piece] = looked_[piece] = pieces_.startOf(sweep, piece);
+        touches_.poses[piece] = pieces_.poseOf(sweep, piece);
+        noteLeft(sweep, piece);
+        ways_[piece] = PoseWay(starts_[piece], touches_.poses[piece]);
+        near_.bounds[piece] = boundsOf(piece);
+    }
+    placed_[piece] = asleep;
+    touches_.begin(piece, starts_[piece], shapes_[piece].radius, asleep);
+    if (sleep_) {
+        const Range& all = pieces_.body(piece).vertices;
+        std::fill(pinned_.begin() + all.first, pinned_.begin() + all.last,
+                  touches_.yields(piece) ? 0 : 1);
+    }
+    moves_[piece] = touches_.yields(piece) || !(starts_[piece] == touches_.poses[piece]);
+    moved_[piece] = 1;
+}
+
+template <class Real>
+void PieceContacts<Real>::foreseeAll(Workers& workers) {
+    touches_.pairs.clear();
+    touches_.points.clear();
+    near_.find(moves_);
+    ++counts_.searches;
+    counts_.pairs = std::max(counts_.pairs, static_cast<long>(near_.pairs.size()));
+    for (NearPieces::Near& near : near_.pairs) near.pair = -1;
+    lookAtNear(workers, [&](NearPieces::Near& near, Found& found) { foresee(near, found); });
+    take();
 }
 
 template <class Real>
@@ -184,7 +230,9 @@ void PieceContacts<Real>::conclude(const Sweep<Real>&, Workers&) {
                            shapes_[p].radius * PoseWay(leant_[p], pose).angle();
         if (way > least) struck_[touches_.leader(p)] = 1;
     }
-    memory_.note(touches_, h_);
+    memory_.note(touches_, h_, moves_);
+    if (sleep_) joinIslands();
+    if (bouncy_ && ready_ && !gaveUp_) bounce();
 }
 
 // The first-order velocity, and a past that continues it: BDF2 would make half a bounce of what
@@ -192,8 +240,17 @@ void PieceContacts<Real>::conclude(const Sweep<Real>&, Workers&) {
 template <class Real>
 void PieceContacts<Real>::rebound(State<Real>& state, Drawer<Real>& kept) const {
     memory_.write(kept);
-    if (state.last.empty()) return;
+    if (!state.last.empty()) leaveAll(state);
+    if (sleep_ && ready_ && !gaveUp_) rest(state, kept);
+}
+
+template <class Real>
+void PieceContacts<Real>::leaveAll(State<Real>& state) const {
     for (int p = 0; p < pieces_.count(); ++p) {
+        if (bouncy_ && bounces_.bodies[touches_.leader(p)].struck) {
+            leave(state, p);
+            continue;
+        }
         if (!struck_[touches_.leader(p)] || !touches_.yields(p)) continue;
         const Range& all = pieces_.body(p).vertices;
         for (int v = all.first; v < all.last; ++v) {
@@ -220,12 +277,15 @@ void PieceContacts<Real>::markTouched(std::vector<std::uint8_t>& touched) const 
 template class PieceContacts<float>;
 template class PieceContacts<double>;
 
-void meetPieces(World& world, std::vector<Surface> surfaces, const ContactOptions& options) {
+void meetPieces(World& world, std::vector<Surface> surfaces, const ContactOptions& options,
+                const SleepOptions& sleep) {
     if (surfaces.size() != world.pieces.size())
         throw std::invalid_argument(options.name + ": there must be one surface a piece");
     for (Surface& s : surfaces) s = checked(world, s, options.name);
-    const auto make = [surfaces, options]<class Real>(const World& made, KernelChoice) {
-        return std::make_unique<PieceContacts<Real>>(made, surfaces, options);
+    if (!isMeasure(sleep.speed) || !isMeasure(sleep.delay))
+        throw std::invalid_argument(options.name + ": speed and delay of sleep are from 0 on");
+    const auto make = [surfaces, options, sleep]<class Real>(const World& made, KernelChoice) {
+        return std::make_unique<PieceContacts<Real>>(made, surfaces, options, sleep);
     };
     world.constrain(
         recipeOf<Constraint>(make),

@@ -15,6 +15,8 @@
 #include "../surface.h"
 #include "approach.h"
 #include "near_pieces.h"
+#include "piece_bounces.h"
+#include "sleep.h"
 #include "touch_memory.h"
 
 #include <algorithm>
@@ -30,20 +32,22 @@ template <class Real>
 class PieceContacts : public ContactConstraint<Real> {
 public:
     // One surface a piece of the world, in their order.
-    PieceContacts(const World& world, std::vector<Surface> surfaces, const ContactOptions& options);
+    PieceContacts(const World& world, std::vector<Surface> surfaces, const ContactOptions& options,
+                  const SleepOptions& sleep);
 
     void beginFrame(double /*t0*/, double /*t1*/) override {
         gaveUp_ = false;
         near_.pairs.clear();  // a run that is resumed knows nothing of what parted them last
+        std::ranges::fill(placed_, 0);
     }
-    void furnish(Drawer<Real>& kept) const override { memory_.furnish(kept); }
+    void furnish(Drawer<Real>& kept) const override {
+        memory_.furnish(kept);
+        sleep_.furnish(kept);
+    }
     void begin(const Substep& substep, Workers& workers) override;
-    void strike(const Sweep<Real>&, const State<Real>& state, const Drawer<Real>& kept,
-                Workers&) override {
-        memory_.read(kept);
-        if (clusters_ >= 0)
-            leaders_ = std::span(state.kept[clusters_].integers).first(pieces_.count());
-    }
+    bool needsPast() const override { return bouncy_; }
+    void strike(const Sweep<Real>& sweep, const State<Real>& state, const Drawer<Real>& kept,
+                Workers& workers) override;
     void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override;
     long finish(const Sweep<Real>& sweep, Workers& workers) override;
     long holdBack(const Sweep<Real>& sweep, Workers& workers) override;
@@ -64,6 +68,8 @@ private:
     };
 
     void prepare(const Sweep<Real>& sweep, Workers& workers);
+    void begin(const Sweep<Real>& sweep, int piece);
+    void foreseeAll(Workers& workers);
     NearPieces::Bounds boundsOf(int piece) const;
     double gapOf(int first, int second) const;
     // How far a corner's arc leaves its chord at most.
@@ -105,6 +111,17 @@ private:
     long findCrossing(Workers& workers);
     long putBack(const Sweep<Real>& sweep, Workers& workers, long crossing, bool hold);
     long putEverythingBack(const Sweep<Real>& sweep) const;
+    void noteComing(const Sweep<Real>& sweep, const State<Real>& state, int piece);
+    void holdSleepers(const Sweep<Real>& sweep) const;
+    bool wakes(const TouchedPair& pair) const;
+    bool wakeTouched(const Sweep<Real>& sweep);
+    void joinIslands();
+    void rest(State<Real>& state, Drawer<Real>& kept) const;
+    void gatherBodies();
+    void gatherPairs();
+    void bounce();
+    void leave(State<Real>& state, int piece) const;
+    void leaveAll(State<Real>& state) const;
 
     ContactOptions options_;
     Pieces pieces_;
@@ -116,6 +133,7 @@ private:
     double slack_ = 0;                   // m, that contacts reach beyond their gap
     std::vector<unsigned char> pinned_;  // by vertex: its piece does not yield
     std::vector<unsigned char> moves_;   // by piece, in this substep
+    std::vector<unsigned char> placed_;  // by piece: it sleeps, and its pose is known
     std::vector<PoseWay> ways_;          // as foreseen
     std::vector<Pose> starts_, looked_;  // where the substep began; when last asked what crosses
     std::vector<Pose> leant_;            // as what is remembered would have it
@@ -126,6 +144,13 @@ private:
     std::vector<Found> found_;  // by block of near_
     Touches touches_;           // foreseen, then those that crossed
     TouchMemory memory_;
+    mutable Sleep sleep_;  // what it says of the next substep is only known after velocities are
+    bool bouncy_ = false;  // something has restitution
+    struct Coming {
+        Vec<double> velocity{}, momentum{}, gain{};  // m/s; kg m^2/s, about its centre; m/s^2
+    };
+    std::vector<Coming> coming_;   // by piece, where the substep began
+    PieceBounces bounces_;         // bodies by leader
     std::vector<Vec<Real>> left_;  // d, as its pose was last found or put
     ImpactZones zones_;
     std::vector<int> whole_;                // vertices of two pieces
@@ -144,6 +169,8 @@ extern template class PieceContacts<double>;
 // Adds the set of all contacts of the world's pieces with each other; `surfaces` has one a piece,
 // in their order, of which thickness, friction, and vertices count. Throws std::invalid_argument,
 // naming the value, for one out of range, and for a piece that is not convex.
-void meetPieces(World& world, std::vector<Surface> surfaces, const ContactOptions& options = {});
+// What is to fall asleep may meet pieces alone: a solver of a world with other contacts throws.
+void meetPieces(World& world, std::vector<Surface> surfaces, const ContactOptions& options = {},
+                const SleepOptions& sleep = {});
 
 }  // namespace plait

@@ -60,7 +60,8 @@ void PieceContacts<Real>::add(const NearPieces::Near& near, const Meeting& meeti
         plane.by == By::edges ? Face::none
                               : (plane.by == By::firstFace ? Face::first : Face::second),
         gap,
-        Friction(sa.staticFriction, sb.staticFriction, sa.dynamicFriction, sb.dynamicFriction)};
+        Friction(sa.staticFriction, sb.staticFriction, sa.dynamicFriction, sb.dynamicFriction),
+        0.5 * (sa.restitution + sb.restitution)};
     const Pose &a0 = starts_[first], &b0 = starts_[second];
     const Vec<double> n0 = Touches::normalOf(pair, a0, b0);
     pair.from = static_cast<int>(found.points.size());

@@ -49,7 +49,8 @@ void TouchMemory::read(const Drawer<Real>& drawer) {
 
 template <class Real>
 void TouchMemory::write(Drawer<Real>& drawer) const {
-    furnish(drawer);
+    std::fill_n(drawer.numbers.begin(), most_ * numbersEach, Real(0));
+    std::fill_n(drawer.integers.begin(), most_ * integersEach, -1);
     for (std::size_t i = 0; i < std::min(most_, known_.size()); ++i) {
         const Known& k = known_[i];
         drawer.integers[integersEach * i] = k.first;
@@ -147,13 +148,15 @@ TouchMemory::Known TouchMemory::knownOf(const Touches& touches, const TouchedPai
     return known;
 }
 
-void TouchMemory::note(const Touches& touches, double h) {
+void TouchMemory::note(const Touches& touches, double h, std::span<const unsigned char> moves) {
     std::swap(before_, known_);
     known_.clear();
     for (const TouchedPair& pair : touches.pairs)
         if (const Known known = knownOf(touches, pair, h);
             dot(known.force, touches.normalOf(pair)) > 0)
             known_.push_back(known);
+    for (const Known& known : before_)
+        if (!moves[known.first] && !moves[known.second]) known_.push_back(known);
     // Of two that crossed besides, where they are pressed most.
     std::ranges::sort(known_, {}, [](const Known& k) {
         return std::tuple(k.first, k.second, -dot(k.force, k.force));

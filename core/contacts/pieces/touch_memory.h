@@ -29,8 +29,13 @@ public:
     // has slipped is taken back. In the order of (first, second), in a substep of h (s); `start`:
     // by piece.
     void recall(Touches& touches, std::span<const Pose> start, double h) const;
-    // What they do now takes the place of what was known.
-    void note(const Touches& touches, double h);
+    // What they do now takes the place of what was known, but of two that do not move (by piece).
+    void note(const Touches& touches, double h, std::span<const unsigned char> moves);
+    // visit(first, second), of all that touched.
+    template <class Visit>
+    void forAll(const Visit& visit) const {
+        for (const Known& known : known_) visit(known.first, known.second);
+    }
 
 private:
     struct Known {

@@ -34,11 +34,11 @@ Touches::Touches(const Pieces& pieces)
     std::iota(starts_.begin(), starts_.end(), 0);
 }
 
-void Touches::begin(int piece, const Pose& start, double radius) {
+void Touches::begin(int piece, const Pose& start, double radius, bool held) {
     stirred_[piece] = 0;
     motions_[piece] = {};
     const Body& body = pieces_->body(piece);
-    if (body.inverseMass == 0) {
+    if (body.inverseMass == 0 || held) {
         answers_[piece] = {};
         return;
     }

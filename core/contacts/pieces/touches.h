@@ -47,6 +47,7 @@ struct TouchedPair {
     Face face;
     double gap;  // m, to be kept in the end
     Friction friction;
+    double restitution;
     int from = 0, to = 0;  // its points
     int color = 0;
     Vec<double> across{};  // the normal as it is about which sweeps are linear
@@ -62,11 +63,18 @@ public:
     std::vector<TouchedPoint> points;
 
     // A substep begins with this piece there: how it answers until the end.
-    // `radius` (m) is that of what is farthest from its centre.
-    void begin(int piece, const Pose& start, double radius);
+    // `radius` (m) is that of what is farthest from its centre; what is held does not yield.
+    void begin(int piece, const Pose& start, double radius, bool held);
     bool yields(int piece) const { return answers_[place(piece)].inverseMass > 0; }
     // When all have begun: pieces with the same leader, which is one of them, answer as one body.
     void join(std::span<const std::int32_t> leaders, std::span<const Pose> start);
+    // How a piece, or all that moves with it, answers where the substep began.
+    struct Answer {
+        double radius = 0;                   // m
+        double inverseMass = 0;              // 1/kg; 0: does not yield
+        Symmetric<double> inverseInertia{};  // 1/(kg m^2)
+    };
+    const Answer& answerOf(int piece) const { return answers_[place(piece)]; }
     // With which it moves as one; itself if it moves alone.
     int leader(int piece) const { return leaders_[place(piece)]; }
     // The centre of these, now.
@@ -131,11 +139,6 @@ public:
     void apply(Workers& workers);
 
 private:
-    struct Answer {
-        double radius = 0;                   // m
-        double inverseMass = 0;              // 1/kg; 0: does not yield
-        Symmetric<double> inverseInertia{};  // 1/(kg m^2), where the substep began
-    };
     static constexpr int colorLimit = 64;  // pairs beyond run one by one
 
     static std::size_t place(int i) { return static_cast<std::size_t>(i); }

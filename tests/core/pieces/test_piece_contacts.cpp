@@ -1,76 +1,19 @@
 // Pieces that meet: they rest, slide, push and part as rigid bodies do, and never pass through each
 // other.
-#include "piece_worlds.h"
+#include "piece_pile.h"
 #include "tests/catch.h"
 #include "tests/report.h"
 
-#include <plait/contacts/pieces/piece_contacts.h>
+#include <plait/contacts/pieces/mass_ratio.h>
 #include <plait/measure/surfaces/intersections.h>
 
 #include <algorithm>
-#include <numeric>
 #include <random>
 
 using namespace plait;
 using namespace plait::test;
 
 namespace {
-
-struct Pile {
-    World world;
-    std::vector<Piece> pieces;
-    std::vector<Surface> surfaces;
-
-    int add(const Shape& shape, const PieceMatter& matter, double thickness, double friction,
-            bool pinned = false) {
-        const Piece piece = addPiece(world, shape, matter);
-        if (pinned) {
-            std::vector<int> all(piece.vertices.size());
-            std::iota(all.begin(), all.end(), piece.vertices.first);
-            world.pin(all);
-        }
-        pieces.push_back(piece);
-        surfaces.push_back({.vertices = piece.surface(),
-                            .thickness = thickness,
-                            .staticFriction = friction,
-                            .dynamicFriction = friction,
-                            .self = Self::none});
-        return static_cast<int>(pieces.size()) - 1;
-    }
-    void floor(double thickness, double friction) {
-        add(box({6, 0.2, 6}), {.shift = {0, -0.1, 0}}, thickness, friction, true);
-    }
-    void meet(const Vec<double>& gravity = {0, -9.81, 0}) {
-        world.act<Gravity>(GravityOptions{.acceleration = gravity});
-        holdPieces(world, {.name = "pieces", .importance = 1});
-        meetPieces(world, surfaces, {.name = "contacts"});
-    }
-    Vec<double> middle(const std::vector<Vec<double>>& x, int piece) const {
-        const Range& all = pieces[piece].vertices;
-        Vec<double> sum{};
-        double mass = 0;
-        for (int v = all.first; v < all.last; ++v) {
-            sum += world.mass[v] * x[v];
-            mass += world.mass[v];
-        }
-        return (1 / mass) * sum;
-    }
-    template <class Real>
-    const ContactCounts& counts(const Solver<Real>& solver) const {
-        return dynamic_cast<const PieceContacts<Real>&>(
-                   solver.set(static_cast<int>(world.sets.size()) - 1))
-            .counts();
-    }
-};
-
-SolverOptions options(int substeps, int passes, int threads = 1) {
-    return {.integrator = Integrator::bdf2,
-            .schedule = {.substeps = substeps,
-                         .frameRate = {24, 1},
-                         .iterations = 1,
-                         .collisionPasses = passes},
-            .threads = threads};
-}
 
 // Boxes of 10 cm on each other, of these densities.
 Pile tower(const std::vector<double>& densities) {
@@ -280,6 +223,24 @@ TEST_CASE("piece contacts: the same bits from any number of threads, and resumed
     resumed.restore(middle, 0);
     for (int frame = 0; frame < 6; ++frame) resumed.frame();
     CHECK(resumed.hash() == expected);
+}
+
+TEST_CASE("piece contacts: a mass ratio beyond the settings is warned of in a line", "[pieces]") {
+    const ScheduleOptions eighty = options(10, 8).schedule;
+    for (const auto& [heavy, passes, warned] :
+         {std::tuple{79.0, 8, 0}, {81.0, 8, 1}, {81.0, 9, 0}, {1000.0, 32, 1}}) {
+        World world = tower({1000, heavy * 1000, 2000}).world;
+        warnOfMassRatio(world, options(10, passes).schedule);
+        CHECK(std::ssize(world.warnings) == warned);
+    }
+    World world = tower({1000, 100000}).world;
+    warnOfMassRatio(world, eighty, 0.5);  // a film twice as slow looks twice as often
+    CHECK(world.warnings.empty());
+    warnOfMassRatio(world, eighty);
+    REQUIRE(world.warnings.size() == 1);
+    CHECK(world.warnings[0] ==
+          "pieces differ in mass by 100 : 1; contacts evaluated 80 times in 1/24 s hold up to 80 : "
+          "1");
 }
 
 TEST_CASE("piece contacts: what is wrong is refused by name", "[pieces]") {
