@@ -16,8 +16,8 @@ Polyhedron cellOf(std::span<const Lump> lumps, int i, double kerf) {
     const Lump& own = lumps[i];
     const std::string name = "lump " + std::to_string(i);
     Polyhedron cell(own.site, widest);
-    // A plane that takes less would leave a sliver of a face: half of the kerf is still free.
-    const double slack = kerf / 8;
+    // A plane that takes less would leave a sliver of a face: seven eighths of the kerf stay free.
+    const double slack = kerf / 16;
     for (const HalfSpace& plane : own.within) {
         if (dot(plane.normal, own.site) >= plane.offset)
             throw std::invalid_argument(name + " lacks its site");

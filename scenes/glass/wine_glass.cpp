@@ -14,10 +14,9 @@ namespace plait {
 namespace {
 
 constexpr double skin = 8e-6, kerf = 20e-6;   // m: two are within the kerf
-constexpr double high = 0.42, back = 0.11;    // m, of the table, and from its edge to the glass
+constexpr double high = 0.72, back = 0.11;    // m, of the table, and from its edge to the glass
 constexpr double board = 0.03, reach = 0.26;  // m, of the table
-constexpr double plate = 0.0018;              // m, of the bowl
-constexpr double hits = 0.62;                 // s, when it meets the floor
+constexpr double hits = 0.77;                 // s, when it meets the floor
 
 View viewOf(const World& world, const std::vector<int>& shards) {
     View view;
@@ -25,23 +24,27 @@ View viewOf(const World& world, const std::vector<int>& shards) {
                    .material = Material::glass,
                    .color = {0.25, 0.5, 0.45}}};
     addBox(view, {-2 * reach, high - board, -reach}, {0, high, reach});
-    view.cameras = {{.eye = {0.42, 0.42, 1.35}, .target = {0.06, 0.24, 0}, .focalLength = 42}};
+    view.cameras = {
+        {.eye = {0.45, 0.95, 1.0}, .target = {-0.03, high + 0.03, 0}, .focalLength = 48}};
     view.groundSize = 1.3;
     view.glowCenter = {0.1, 0.3, 0};
     view.glow = 0.7;
     return view;
 }
 
-// As it falls, the break ten times slower, and then how it comes to rest.
-std::vector<Take> takesOf(double seconds) {
-    const double end = hits + 0.12;
-    Camera near{
-        .time = hits, .eye = {0.5, 0.22, 0.75}, .target = {0.14, 0.05, 0}, .focalLength = 42};
+// As it falls, the break twenty times slower, and how it comes to rest.
+std::vector<Take> takesOf(const Camera& above, double seconds) {
+    const double end = hits + 0.1;
+    Camera still = above, near = above;
+    still.time = 0.4;
+    near.time = hits;
+    near.eye = {0.45, 0.3, 0.85};
+    near.target = {0.13, 0.05, 0};
     Camera later = near;
     later.time = end;
-    later.eye = {0.32, 0.24, 0.8};
+    later.eye = {0.2, 0.26, 0.85};
     return {
-        {.from = 0, .to = hits},
+        {.from = 0, .to = hits, .cameras = {above, still, near}},
         {.from = hits, .to = end, .slow = 20, .words = "20 times slower", .cameras = {near, later}},
         {.from = end, .to = seconds, .cameras = {later}}};
 }
@@ -51,7 +54,7 @@ std::vector<Take> takesOf(double seconds) {
 Scene wineGlass(const Knobs& knobs) {
     Scene scene;
     World& world = scene.world;
-    const SolidPattern pattern = cut(lumpsOf({.spacing = knobs.byQuality(0.012, 0.0085, 0.0055),
+    const SolidPattern pattern = cut(lumpsOf({.spacing = knobs.byQuality(0.012, 0.0075, 0.005),
                                               .seed = knobs.seed,
                                               .foot = {-back, high + 2 * skin, 0}}),
                                      kerf);
@@ -65,7 +68,7 @@ Scene wineGlass(const Knobs& knobs) {
     friction.push_back(0.4);
     const std::vector<Weld> welds = weldsOf(pattern, shards);
     weldPieces(world, welds,
-               {.matter = {.seed = knobs.seed, .plate = plate, .density = glassDensity}});
+               {.matter = {.seed = knobs.seed, .density = glassDensity}});
     meetAll(world, skin, friction);
     world.act<Gravity>(GravityOptions{});
 
@@ -76,7 +79,7 @@ Scene wineGlass(const Knobs& knobs) {
     scene.metrics = {together.count({knobs.byQuality(10.0, 40.0, 100.0), 1e4, hits + 0.2}),
                      lowestOf(world, shards), contactFailures()};
     scene.view = viewOf(world, shards);
-    scene.view.takes = takesOf(scene.seconds);
+    scene.view.takes = takesOf(scene.view.cameras[0], scene.seconds);
     return scene;
 }
 

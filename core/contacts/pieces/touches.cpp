@@ -206,7 +206,7 @@ void Touches::part(TouchedPair& pair, Direction direction) {
         const double push = std::max(0.0, point.push - over / point.yield);
         move((push - point.push) * n);
         point.push = push;
-        if (!pair.friction) continue;
+        if (!pair.friction || !gripping_) continue;
         Vec<double> slip = apartNow(pair, point) - point.rest;
         slip -= dot(slip, n) * n;
         const double way = length(slip);
@@ -301,15 +301,18 @@ int Touches::sweepLinear(double least, int most, Workers& workers) {
 }
 
 int Touches::sweepOn(double least, Workers& workers) {
-    constexpr int times = 4, most = 32;
+    constexpr int times = 4, most = 32, mostWithout = 256;
     int sum = 0;
-    for (int time = 0; time < times; ++time) {
+    for (int time = 0; time <= times; ++time) {
         linearise(workers);
-        const int rounds = sweepLinear(least, most, workers);
+        // Friction may go round in circles: pushes alone are a convex problem.
+        gripping_ = time < times;
+        const int rounds = sweepLinear(least, gripping_ ? most : mostWithout, workers);
         if (rounds == 0) break;
         apply(workers);
         sum += rounds;
     }
+    gripping_ = true;
     return sum;
 }
 

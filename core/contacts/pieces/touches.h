@@ -136,6 +136,7 @@ private:
         double inverseMass = 0;              // 1/kg; 0: does not yield
         Symmetric<double> inverseInertia{};  // 1/(kg m^2), where the substep began
     };
+    bool gripping_ = true;  // false: sweeps leave grips as they are
     static constexpr int colorLimit = 64;  // pairs beyond run one by one
 
     static std::size_t place(int i) { return static_cast<std::size_t>(i); }
