@@ -246,7 +246,7 @@ bool Touches::settled(double least, Workers& workers) const {
             for (const TouchedPoint& point : of(pairs[i])) {
                 const double apart = dot(pairs[i].across, apartNow(pairs[i], point));
                 if (apart < std::min(least * pairs[i].gap, 0.9 * point.gap) ||
-                    (point.push > 0 && apart > point.gap + (1 - least) * pairs[i].gap))
+                    (gripping_ && point.push > 0 && apart > point.gap + (1 - least) * pairs[i].gap))
                     all = false;
             }
     });
@@ -305,9 +305,11 @@ int Touches::sweepOn(double least, Workers& workers) {
     int sum = 0;
     for (int time = 0; time <= times; ++time) {
         linearise(workers);
-        // Friction may go round in circles: pushes alone are a convex problem.
+        // Friction may go round in circles: pushes alone, a convex problem, part what is still
+        // near.
         gripping_ = time < times;
-        const int rounds = sweepLinear(least, gripping_ ? most : mostWithout, workers);
+        const int rounds = gripping_ ? sweepLinear(least, most, workers)
+                                     : sweepLinear(least / 2, mostWithout, workers);
         if (rounds == 0) break;
         apply(workers);
         sum += rounds;
