@@ -7,7 +7,7 @@
 namespace plait {
 namespace {
 
-constexpr float nearest = 0.001f;    // m, to what lies beside it
+constexpr float nearest = 0.003f;    // m, to what lies beside it
 constexpr float wideOpen = 0.0003f;  // m, from where on it has come apart
 
 // By vertex: which solid it belongs to.
@@ -52,11 +52,23 @@ Facets::Facets(std::span<const glm::vec3> rest, std::vector<std::array<int, 3>> 
                 if (away < apart_[v]) apart_[v] = away, near_[v] = w;
             }
         }
-    // A face inside has the same other solid beside all its corners.
-    for (const auto& [a, b, c] : triangles_)
-        outside_.push_back(std::ranges::none_of(beside[a], [&, b = b, c = c](int other) {
-            return contains(beside[b], other) && contains(beside[c], other);
+    std::vector<std::vector<int>> corners(rest.size());  // by solid
+    for (const int v : order) corners[solid[v]].push_back(v);
+    // How far a solid reaches behind a face, m.
+    const auto behind = [&](int body, const glm::vec3& at, const glm::vec3& normal) {
+        float most = 0;
+        for (const int v : corners[body]) most = std::max(most, glm::dot(normal, at - rest[v]));
+        return most;
+    };
+    // A face inside has another solid beside all its corners, and that one before it.
+    for (const auto& [a, b, c] : triangles_) {
+        const glm::vec3 n = glm::normalize(glm::cross(rest[b] - rest[a], rest[c] - rest[a]));
+        const float own = behind(solid[a], rest[a], n);
+        outside_.push_back(std::ranges::none_of(beside[a], [&, a = a, b = b, c = c](int other) {
+            return contains(beside[b], other) && contains(beside[c], other) &&
+                   behind(other, rest[a], n) < 0.5f * own;
         }));
+    }
 }
 
 void Facets::update(std::span<const glm::vec3> positions, std::span<MeshVertex> vertices) const {

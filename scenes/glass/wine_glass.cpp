@@ -38,11 +38,11 @@ std::vector<Take> takesOf(const Camera& above, double seconds) {
     Camera still = above, near = above;
     still.time = 0.4;
     near.time = hits;
-    near.eye = {0.45, 0.3, 0.85};
-    near.target = {0.13, 0.05, 0};
+    near.eye = {0.4, 0.12, 0.6};
+    near.target = {0.13, 0.075, 0};
     Camera later = near;
     later.time = end;
-    later.eye = {0.2, 0.26, 0.85};
+    later.eye = {0.15, 0.17, 0.62};
     return {
         {.from = 0, .to = hits, .cameras = {above, still, near}},
         {.from = hits, .to = end, .slow = 20, .words = "20 times slower", .cameras = {near, later}},
@@ -76,7 +76,7 @@ Scene wineGlass(const Knobs& knobs) {
     scene.options.schedule = {.substeps = 1, .frameRate = {480, 1}, .iterations = 8};
     scene.seconds = 2.4;
     const Shards together(world, welds, shards);
-    scene.metrics = {together.count({knobs.byQuality(10.0, 40.0, 100.0), 1e4, hits + 0.2}),
+    scene.metrics = {together.count({knobs.byQuality(10.0, 25.0, 40.0), 1e4, hits + 0.2}),
                      lowestOf(world, shards), contactFailures()};
     scene.view = viewOf(world, shards);
     scene.view.takes = takesOf(scene.view.cameras[0], scene.seconds);
