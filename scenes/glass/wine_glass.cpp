@@ -17,6 +17,7 @@ constexpr double skin = 8e-6, kerf = 20e-6;   // m: two are within the kerf
 constexpr double high = 0.72, back = 0.11;    // m, of the table, and from its edge to the glass
 constexpr double board = 0.03, reach = 0.26;  // m, of the table
 constexpr double hits = 0.77;                 // s, when it meets the floor
+constexpr double broken = 0.1;                // s, shown slowly
 
 View viewOf(const World& world, const std::vector<int>& shards) {
     View view;
@@ -24,29 +25,22 @@ View viewOf(const World& world, const std::vector<int>& shards) {
                    .material = Material::glass,
                    .color = {0.25, 0.5, 0.45}}};
     addBox(view, {-2 * reach, high - board, -reach}, {0, high, reach});
+    // As it slides, as it breaks, and around it.
     view.cameras = {
-        {.eye = {0.45, 0.95, 1.0}, .target = {-0.03, high + 0.03, 0}, .focalLength = 48}};
+        {.time = 0, .eye = {0.45, 0.95, 1.0}, .target = {-0.03, high + 0.03, 0}, .focalLength = 48},
+        {.time = 0.4,
+         .eye = {0.45, 0.95, 1.0},
+         .target = {-0.03, high + 0.03, 0},
+         .focalLength = 48},
+        {.time = hits, .eye = {0.4, 0.12, 0.6}, .target = {0.15, 0.07, 0}, .focalLength = 48},
+        {.time = hits + broken,
+         .eye = {0.15, 0.17, 0.64},
+         .target = {0.17, 0.06, 0},
+         .focalLength = 44}};
     view.groundSize = 1.3;
     view.glowCenter = {0.1, 0.3, 0};
     view.glow = 0.7;
     return view;
-}
-
-// As it falls, the break twenty times slower, and how it comes to rest.
-std::vector<Take> takesOf(const Camera& above, double seconds) {
-    const double end = hits + 0.1;
-    Camera still = above, near = above;
-    still.time = 0.4;
-    near.time = hits;
-    near.eye = {0.4, 0.12, 0.6};
-    near.target = {0.13, 0.075, 0};
-    Camera later = near;
-    later.time = end;
-    later.eye = {0.15, 0.17, 0.62};
-    return {
-        {.from = 0, .to = hits, .cameras = {above, still, near}},
-        {.from = hits, .to = end, .slow = 20, .words = "20 times slower", .cameras = {near, later}},
-        {.from = end, .to = seconds, .cameras = {later}}};
 }
 
 }  // namespace
@@ -67,8 +61,7 @@ Scene wineGlass(const Knobs& knobs) {
     addPinned(world, boxSurface({-6, -0.2, -6}, {6, 0, 6}));
     friction.push_back(0.4);
     const std::vector<Weld> welds = weldsOf(pattern, shards);
-    weldPieces(world, welds,
-               {.matter = {.seed = knobs.seed, .density = glassDensity}});
+    weldPieces(world, welds, {.matter = {.seed = knobs.seed, .density = glassDensity}});
     meetAll(world, skin, friction);
     world.act<Gravity>(GravityOptions{});
 
@@ -79,7 +72,9 @@ Scene wineGlass(const Knobs& knobs) {
     scene.metrics = {together.count({knobs.byQuality(10.0, 25.0, 40.0), 1e4, hits + 0.2}),
                      lowestOf(world, shards), contactFailures()};
     scene.view = viewOf(world, shards);
-    scene.view.takes = takesOf(scene.view.cameras[0], scene.seconds);
+    scene.view.takes = {{.from = 0, .to = hits},
+                        {.from = hits, .to = hits + broken, .slow = 20, .words = "20 times slower"},
+                        {.from = hits + broken, .to = scene.seconds}};
     return scene;
 }
 
