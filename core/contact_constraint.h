@@ -11,6 +11,8 @@ struct Load {
     int piece;
     Vec<double> at;       // m
     Vec<double> impulse;  // kg m: force times h^2
+    Vec<double> whole;    // kg m, that takes all of the approach: who touches late in a substep is
+                          // stopped for good in the next
     double approach;      // m/s, at which the other came before it was held
     int other;            // the piece that pushed
 };

@@ -5,6 +5,7 @@
 #include "dress.h"
 #include "flag.h"
 #include "glass/glass.h"
+#include "glass/wine_glass.h"
 #include "liquid/liquid.h"
 #include "slinky/slinky.h"
 
@@ -439,6 +440,22 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                     .low = 0,
                     .high = 1e6}},
          .build = windGauge},
+        {.name = "wine-glass",
+         .title = "Wine glass",
+         .lesson =
+             "A curved wall is plates that end midway to their neighbours: convex, apart, and "
+             "welded",
+         .ingredients = {"pieces", "welds", "contact", "friction", "gravity"},
+         .omissions = {"the time that cracks take, and cracks where there is no face",
+                       "waves in the bowl: it is stiff until it breaks"},
+         .demo = true,
+         .knobs = {{.name = "speed",
+                    .meaning = "with which it slides",
+                    .unit = "m/s",
+                    .value = 0.75,
+                    .low = 0,
+                    .high = 3}},
+         .build = wineGlass},
     };
     return all;
 }

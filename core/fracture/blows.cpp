@@ -34,7 +34,7 @@ std::vector<Blow> Blows::among(std::span<const Load> loads, double h) const {
     for (const Load& load : loads) {
         auto blow = std::ranges::find(blows, load.other, &Blow::other);
         if (blow == blows.end()) blow = blows.insert(blow, {.other = load.other});
-        blow->impulse += (1 / h) * load.impulse;
+        blow->impulse += (1 / h) * load.whole;
         blow->approach = std::max(blow->approach, load.approach);
     }
     std::erase_if(blows, [&](const Blow& b) { return b.approach <= 2 * gravity_ * h; });

@@ -118,39 +118,68 @@ std::vector<PieceForce> WeldSet<Real>::lasting(const Sweep<Real>& sweep,
 }
 
 template <class Real>
-void WeldSet<Real>::look(const Sweep<Real>& sweep, const Cluster& cluster,
-                         std::span<const Load> loads, std::vector<Overload>& overloads) {
-    std::vector<PieceForce> lasts = lasting(sweep, cluster), blown(lasts.size());
+auto WeldSet<Real>::pressesOf(const Sweep<Real>& sweep, const Cluster& cluster,
+                              std::span<const Load> loads, std::span<const Blow> blows) const
+    -> Presses {
+    Presses presses;
+    presses.lasting = lasting(sweep, cluster);
+    presses.blown.resize(cluster.pieces.size());
+    const auto hardest =
+        std::ranges::max_element(blows, {}, [](const Blow& blow) { return length(blow.impulse); });
+    if (hardest != blows.end()) presses.time = blows_.timeOf(*hardest);
     const ClusterPose pose = clusters_.poseOf(sweep, cluster);
-    const std::vector<Blow> blows = blows_.among(loads, h_);
-    double time = 0, hardest = 0;
-    for (const Blow& blow : blows) {
-        if (length(blow.impulse) <= hardest) continue;
-        hardest = length(blow.impulse);
-        time = blows_.timeOf(blow);
-    }
     for (const Load& load : loads) {
         const bool blow = std::ranges::find(blows, load.other, &Blow::other) != blows.end();
-        PieceForce& force = (blow ? blown : lasts)[place_[load.piece]];
-        const double over = blow ? h_ * time : h_ * h_;
-        const Vec<double> f = pose.turn.back((1 / over) * load.impulse);
+        PieceForce& force = (blow ? presses.blown : presses.lasting)[place_[load.piece]];
+        const Vec<double> f = pose.turn.back(blow ? (1 / (h_ * presses.time)) * load.whole
+                                                  : (1 / (h_ * h_)) * load.impulse);
         const Vec<double> at = cluster.centre + pose.turn.back(load.at - pose.to);
         force.force += f;
         force.torque += cross(at - forces_.massOf(load.piece).centre, f);
     }
-    std::vector<unsigned char> pinned;
     for (const int p : cluster.pieces)
-        pinned.push_back(sweep.particles[8 * clusters_.verticesOf(p).first + 3] == Real(0));
-    std::vector<WeldForce> forces(cluster.welds.size());
-    forces_.add(cluster, pinned, std::move(lasts), 0, forces);
-    if (time > 0) forces_.add(cluster, pinned, std::move(blown), time, forces);
-    const auto before = overloads.size();
-    for (std::size_t i = 0; i < forces.size(); ++i) {
-        const int w = cluster.welds[i];
-        const double times = stressOf(welds_[w], forces[i]) / strength_[w];
-        if (times > 1) overloads.push_back({times, w, time > 0});
+        presses.pinned.push_back(sweep.particles[8 * clusters_.verticesOf(p).first + 3] == Real(0));
+    return presses;
+}
+
+// Over strength, by weld of the cluster. What a blow bends farther away, it bends later and with
+// less: a step of implicit Euler as long as it presses, of twice that, and so on until the substep
+// ends, each with the same impulse.
+template <class Real>
+std::vector<double> WeldSet<Real>::stressesOf(const Cluster& cluster, Presses presses) {
+    std::vector<WeldForce> last(cluster.welds.size());
+    forces_.add(cluster, presses.pinned, std::move(presses.lasting), 0, last);
+    std::vector<double> stresses(cluster.welds.size());
+    const auto bear = [&](const std::vector<WeldForce>& forces) {
+        for (std::size_t i = 0; i < forces.size(); ++i) {
+            const int w = cluster.welds[i];
+            stresses[i] = std::max(stresses[i], stressOf(welds_[w], forces[i]) / strength_[w]);
+        }
+    };
+    bear(last);
+    for (double time = presses.time; time > 0; time *= 2) {
+        std::vector<WeldForce> forces = last;
+        forces_.add(cluster, presses.pinned, presses.blown, time, forces);
+        bear(forces);
+        if (2 * time > h_) break;
+        for (PieceForce& force : presses.blown) {
+            force.force = 0.5 * force.force;
+            force.torque = 0.5 * force.torque;
+        }
     }
-    if (overloads.size() == before || time <= 0) return;
+    return stresses;
+}
+
+template <class Real>
+void WeldSet<Real>::look(const Sweep<Real>& sweep, const Cluster& cluster,
+                         std::span<const Load> loads, std::vector<Overload>& overloads) {
+    const std::vector<Blow> blows = blows_.among(loads, h_);
+    const std::vector<double> stresses =
+        stressesOf(cluster, pressesOf(sweep, cluster, loads, blows));
+    const auto before = overloads.size();
+    for (std::size_t i = 0; i < stresses.size(); ++i)
+        if (stresses[i] > 1) overloads.push_back({stresses[i], cluster.welds[i], !blows.empty()});
+    if (overloads.size() == before || blows.empty()) return;
     double energy = 0;
     for (const Blow& blow : blows) {
         energy += blow.energy();

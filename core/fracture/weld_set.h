@@ -67,11 +67,20 @@ private:
         bool blown;
     };
 
+    struct Presses {  // of a cluster, by piece, in the axes of the start
+        std::vector<PieceForce> lasting, blown;
+        double time = 0;  // s, that blows act; 0: there is none
+        std::vector<unsigned char> pinned;
+    };
+
     std::span<const std::int32_t> holds(const Drawer<Real>& kept) const {
         return std::span(kept.integers).last(welds_.size());
     }
     void look(const Sweep<Real>& sweep, const Cluster& cluster, std::span<const Load> loads,
               std::vector<Overload>& overloads);
+    Presses pressesOf(const Sweep<Real>& sweep, const Cluster& cluster, std::span<const Load> loads,
+                      std::span<const Blow> blows) const;
+    std::vector<double> stressesOf(const Cluster& cluster, Presses presses);
     std::vector<PieceForce> lasting(const Sweep<Real>& sweep, const Cluster& cluster) const;
     bool breakAll(std::vector<Overload>& overloads, Drawer<Real>& kept);
 

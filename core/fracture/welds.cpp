@@ -75,6 +75,23 @@ std::vector<Weld> weldsOf(const Pattern& pattern, const Vec<double>& corner,
     return welds;
 }
 
+std::vector<Weld> weldsOf(const SolidPattern& pattern, std::span<const int> pieces) {
+    std::vector<Weld> welds;
+    for (const SolidSeam& seam : pattern.seams) {
+        const Vec<double>&a = pattern.sites[seam.first], &b = pattern.sites[seam.second];
+        const double span = length(b - a);
+        welds.push_back({.first = pieces[seam.first],
+                         .second = pieces[seam.second],
+                         .at = 0.5 * (a + b),
+                         .normal = (1 / span) * (b - a),
+                         .along = seam.along,
+                         .length = seam.length,
+                         .height = seam.height,
+                         .span = span});
+    }
+    return welds;
+}
+
 template <class Real>
 std::vector<std::int32_t> holdingOf(const World& world, const State<Real>& state) {
     if (world.clusters < 0) return {};

@@ -4,6 +4,7 @@
 
 #include "../numbers/math.h"
 #include "../patterns/pattern.h"
+#include "../patterns/solid_pattern.h"
 #include "../world.h"
 
 #include <cstdint>
@@ -54,6 +55,7 @@ void weldPieces(World& world, std::vector<Weld> welds, const WeldOptions& option
 // on the border is welded to the piece of its side (bottom, right, top, left), -1: to none.
 std::vector<Weld> weldsOf(const Pattern& pattern, const Vec<double>& corner,
                           std::span<const int> pieces, const std::array<int, 4>& sides);
+std::vector<Weld> weldsOf(const SolidPattern& pattern, std::span<const int> pieces);
 
 template <class Real>
 struct State;

@@ -7,7 +7,7 @@
 namespace plait {
 namespace {
 
-constexpr float nearest = 0.002f;    // m, to what lies beside it
+constexpr float nearest = 0.003f;    // m, to what lies beside it
 constexpr float wideOpen = 0.0003f;  // m, from where on it has come apart
 
 // By vertex: which solid it belongs to.
@@ -23,20 +23,16 @@ std::vector<int> solidsOf(std::size_t count, std::span<const std::array<int, 3>>
     return parent;
 }
 
+bool contains(const std::vector<int>& all, int one) {
+    return std::ranges::find(all, one) != all.end();
+}
+
 }  // namespace
 
 Facets::Facets(std::span<const glm::vec3> rest, std::vector<std::array<int, 3>> triangles)
     : triangles_(std::move(triangles)), near_(rest.size(), -1), apart_(rest.size(), nearest) {
-    glm::vec3 largest{0};
-    std::vector<glm::vec3> normals;
-    for (const auto& [a, b, c] : triangles_) {
-        normals.push_back(glm::cross(rest[b] - rest[a], rest[c] - rest[a]));
-        if (glm::length(normals.back()) > glm::length(largest)) largest = normals.back();
-    }
-    for (const glm::vec3& n : normals)
-        outside_.push_back(std::fabs(glm::dot(n, largest)) >
-                           0.9f * glm::length(n) * glm::length(largest));
     const std::vector<int> solid = solidsOf(rest.size(), triangles_);
+    std::vector<std::vector<int>> beside(rest.size());  // by vertex: other solids
     std::vector<unsigned char> used(rest.size());
     for (const auto& t : triangles_)
         for (const int v : t) used[v] = 1;
@@ -50,9 +46,29 @@ Facets::Facets(std::span<const glm::vec3> rest, std::vector<std::array<int, 3>> 
             if (rest[b].x - rest[a].x > nearest) break;
             if (solid[a] == solid[b]) continue;
             const float away = glm::length(rest[a] - rest[b]);
-            for (const auto& [v, w] : {std::pair{a, b}, {b, a}})
+            if (away > nearest) continue;
+            for (const auto& [v, w] : {std::pair{a, b}, {b, a}}) {
+                beside[v].push_back(solid[w]);
                 if (away < apart_[v]) apart_[v] = away, near_[v] = w;
+            }
         }
+    std::vector<std::vector<int>> corners(rest.size());  // by solid
+    for (const int v : order) corners[solid[v]].push_back(v);
+    // How far a solid reaches behind a face, m.
+    const auto behind = [&](int body, const glm::vec3& at, const glm::vec3& normal) {
+        float most = 0;
+        for (const int v : corners[body]) most = std::max(most, glm::dot(normal, at - rest[v]));
+        return most;
+    };
+    // A face inside has another solid beside all its corners, and that one before it.
+    for (const auto& [a, b, c] : triangles_) {
+        const glm::vec3 n = glm::normalize(glm::cross(rest[b] - rest[a], rest[c] - rest[a]));
+        const float own = behind(solid[a], rest[a], n);
+        outside_.push_back(std::ranges::none_of(beside[a], [&, a = a, b = b, c = c](int other) {
+            return contains(beside[b], other) && contains(beside[c], other) &&
+                   behind(other, rest[a], n) < 0.5f * own;
+        }));
+    }
 }
 
 void Facets::update(std::span<const glm::vec3> positions, std::span<MeshVertex> vertices) const {

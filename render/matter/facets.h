@@ -9,9 +9,9 @@
 
 namespace plait {
 
-// Every triangle has corners of its own. Those along the largest face of all are the outside of a
-// pane (satin -1); the others are where it came apart, and are seen by how far what was nearest to
-// them at rest is away (satin 0 to 1).
+// Every triangle has corners of its own. Those that had another solid right beside them are where
+// it came apart, and are seen by how far what was nearest to them at rest is away (satin 0 to 1);
+// the others are its outside (satin -1).
 class Facets {
 public:
     Facets() = default;

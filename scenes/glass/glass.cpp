@@ -2,10 +2,10 @@
 
 #include "../parts/measures.h"
 #include "../parts/views.h"
+#include "setting.h"
 #include "shards.h"
 
-#include <plait/contacts/pieces/piece_contacts.h>
-#include <plait/contacts/surface.h>
+#include <plait/complex/solid_shapes.h>
 #include <plait/forces/gravity.h>
 #include <plait/fracture/welds.h>
 #include <plait/patterns/pattern.h>
@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace plait {
 namespace {
@@ -22,53 +21,22 @@ constexpr double side = 0.6, thickness = 0.004, low = 0.09;  // m, of the pane, 
 constexpr double bar = 0.03, depth = 0.04;                   // m, of the frame
 constexpr double radius = 0.02;                              // m, of the ball
 constexpr PlanePoint struck{0.35, 0.33};                     // m, in the pane
-constexpr double ahead = 0.2;                   // m, of the pane, where the ball begins
-constexpr double skin = 8e-6;                   // m: two are within the kerf
-constexpr double bevel = 3e-4;                  // m
-constexpr double density = 2500, steel = 7850;  // kg/m^3
+constexpr double ahead = 0.2;   // m, of the pane, where the ball begins
+constexpr double skin = 8e-6;   // m: two are within the kerf
+constexpr double bevel = 3e-4;  // m
+constexpr double steel = 7850;  // kg/m^3
 
 // What the frame stands on, two corners.
 constexpr double wide = side / 2 + 2 * bar;
 constexpr std::array<Vec<double>, 2> foot{{{-wide, 1e-4, -depth}, {wide, low - bar - 1e-4, depth}}};
 
-// A box between two corners, its faces outward.
-Shape boxOf(const Vec<double>& from, const Vec<double>& to) {
-    Shape shape;
-    for (int i = 0; i < 8; ++i)
-        shape.positions.push_back(
-            {i & 1 ? to.x : from.x, i & 2 ? to.y : from.y, i & 4 ? to.z : from.z});
-    shape.complex = SimplicialComplex(8, {.edges = {},
-                                          .triangles = {{0, 2, 1},
-                                                        {1, 2, 3},
-                                                        {4, 5, 6},
-                                                        {5, 7, 6},
-                                                        {0, 1, 4},
-                                                        {1, 5, 4},
-                                                        {2, 6, 3},
-                                                        {3, 6, 7},
-                                                        {0, 4, 2},
-                                                        {2, 4, 6},
-                                                        {1, 3, 5},
-                                                        {3, 7, 5}},
-                                          .tetrahedra = {}});
-    return shape;
-}
-
-int addPinned(World& world, const Shape& shape) {
-    const Piece piece = addPiece(world, shape, {.density = density});
-    std::vector<int> all(piece.vertices.size());
-    std::iota(all.begin(), all.end(), piece.vertices.first);
-    world.pin(std::move(all));
-    return static_cast<int>(world.pieces.size()) - 1;
-}
-
 // Below, right, above, left of the pane.
 std::array<int, 4> addFrame(World& world, double kerf) {
     const double l = side / 2 + kerf, b = low - kerf, t = low + side + kerf, d = depth / 2;
-    return {addPinned(world, boxOf({-l - bar, b - bar, -d}, {l + bar, b, d})),
-            addPinned(world, boxOf({l, b, -d}, {l + bar, t, d})),
-            addPinned(world, boxOf({-l - bar, t, -d}, {l + bar, t + bar, d})),
-            addPinned(world, boxOf({-l - bar, b, -d}, {-l, t, d}))};
+    return {addPinned(world, boxSurface({-l - bar, b - bar, -d}, {l + bar, b, d})),
+            addPinned(world, boxSurface({l, b, -d}, {l + bar, t, d})),
+            addPinned(world, boxSurface({-l - bar, t, -d}, {l + bar, t + bar, d})),
+            addPinned(world, boxSurface({-l - bar, b, -d}, {-l, t, d}))};
 }
 
 Pattern patternOf(const Knobs& knobs) {
@@ -116,32 +84,6 @@ Metric speedOf(const World& world, int piece) {
             }};
 }
 
-// Of the shards, on or above the floor.
-Metric lowestOf(const World& world, const std::vector<int>& cells) {
-    return {.name = "lowest",
-            .unit = "mm",
-            .measure =
-                [first = world.pieces[cells.front()].first,
-                 last = world.pieces[cells.back()].last](const Snapshot& at) {
-                    double least = 1;
-                    for (int v = first; v < last; ++v) least = std::min(least, at.positions[v].y);
-                    return 1e3 * least;
-                },
-            .low = -0.1};
-}
-
-// All of them meet, but for what is welded.
-void meetAll(World& world) {
-    std::vector<Surface> surfaces;
-    constexpr int spare = 4;
-    for (const Range& piece : world.pieces)
-        surfaces.push_back({.vertices = {piece.first, piece.last - spare},
-                            .thickness = skin,
-                            .staticFriction = 0.4,
-                            .dynamicFriction = 0.4});
-    meetPieces(world, surfaces);
-}
-
 // Through the break at a twentieth, while the camera goes around, and as it was.
 std::vector<Take> takesOf(const Camera& left, double seconds) {
     constexpr double picture = 1.0 / 480, from = 6 * picture, to = 0.16;
@@ -165,12 +107,11 @@ Scene glass(const Knobs& knobs) {
     for (const Cell& cell : pattern.cells) {
         Shape shape = prismOf(cell, thickness, bevel);
         for (Vec<double>& x : shape.positions) x += corner;
-        addPiece(world, shape, {.density = density}, "shard");
-        cells.push_back(static_cast<int>(world.pieces.size()) - 1);
+        cells.push_back(addShard(world, shape));
     }
     const std::array<int, 4> frame = addFrame(world, pattern.pane.kerf);
-    addPinned(world, boxOf(foot[0], foot[1]));
-    addPinned(world, boxOf({-6, -0.2, -6}, {6, 0, 12}));
+    addPinned(world, boxSurface(foot[0], foot[1]));
+    addPinned(world, boxSurface({-6, -0.2, -6}, {6, 0, 12}));
     addPiece(world, sphere({.subdivisions = 2, .radius = radius}),
              {.density = steel,
               .shift = corner + Vec<double>{struck.x, struck.y, -ahead},
@@ -179,8 +120,8 @@ Scene glass(const Knobs& knobs) {
     const int ball = static_cast<int>(world.pieces.size()) - 1;
     const std::vector<Weld> welds = weldsOf(pattern, corner, cells, frame);
     weldPieces(world, welds,
-               {.matter = {.seed = knobs.seed, .plate = thickness, .density = density}});
-    meetAll(world);
+               {.matter = {.seed = knobs.seed, .plate = thickness, .density = glassDensity}});
+    meetAll(world, skin, {0.4});
     world.act<Gravity>(GravityOptions{});
 
     // Slow motion with another substep would break another pane: a picture each at 1/20.

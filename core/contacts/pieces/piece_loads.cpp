@@ -27,14 +27,18 @@ void PieceContacts<Real>::addLoads(std::vector<Load>& loads) const {
         for (const TouchedPoint& point : touches_.of(pair)) {
             if (point.push == 0) continue;
             const Vec<double> impulse = point.push * n + point.grip;
-            const Vec<double> came = Touches::apartOf(point, starts_[first], starts_[second]) -
-                                     Touches::apartOf(point, a, b);
+            const Vec<double> start = Touches::apartOf(point, starts_[first], starts_[second]);
+            const double way = dot(n, start - Touches::apartOf(point, a, b));
+            // What was open as the substep began is not stopped on its way to where it touches.
+            const double open = std::max(0.0, dot(n, start) - point.gap);
+            // In a substep's last hundredth what touches tells little of what it takes to stop it.
+            const double taken = way > open ? std::max(0.01, 1 - open / way) : 1;
+            const Vec<double> whole = (1 / taken) * impulse;
             const Touches::Levers levers = touches_.leversOf(pair, point);
-            const double approach = dot(n, came) / h_;
             loads.push_back(
-                {first, touches_.centreOf(first) + levers.first, impulse, approach, second});
-            loads.push_back(
-                {second, touches_.centreOf(second) + levers.second, -impulse, approach, first});
+                {first, touches_.centreOf(first) + levers.first, impulse, whole, way / h_, second});
+            loads.push_back({second, touches_.centreOf(second) + levers.second, -impulse, -whole,
+                             way / h_, first});
         }
     }
     if (!back_.empty()) addHeld(loads);
@@ -73,8 +77,8 @@ void PieceContacts<Real>::addHeld(std::vector<Load>& loads) const {
             if (!touches_.yields(p) || touches_.yields(q)) continue;
             const int zone = zoneOf(p);
             const double speed = length(left[zone]) / (mass[zone] * h_);
-            loads.push_back(
-                {q, touches_.poses[p].centre, (-1.0 / holders[zone]) * left[zone], speed, p});
+            const Vec<double> impulse = (-1.0 / holders[zone]) * left[zone];
+            loads.push_back({q, touches_.poses[p].centre, impulse, impulse, speed, p});
         }
 }
 

@@ -206,7 +206,7 @@ void Touches::part(TouchedPair& pair, Direction direction) {
         const double push = std::max(0.0, point.push - over / point.yield);
         move((push - point.push) * n);
         point.push = push;
-        if (!pair.friction) continue;
+        if (!pair.friction || !gripping_) continue;
         Vec<double> slip = apartNow(pair, point) - point.rest;
         slip -= dot(slip, n) * n;
         const double way = length(slip);
@@ -246,7 +246,7 @@ bool Touches::settled(double least, Workers& workers) const {
             for (const TouchedPoint& point : of(pairs[i])) {
                 const double apart = dot(pairs[i].across, apartNow(pairs[i], point));
                 if (apart < std::min(least * pairs[i].gap, 0.9 * point.gap) ||
-                    (point.push > 0 && apart > point.gap + (1 - least) * pairs[i].gap))
+                    (gripping_ && point.push > 0 && apart > point.gap + (1 - least) * pairs[i].gap))
                     all = false;
             }
     });
@@ -301,15 +301,20 @@ int Touches::sweepLinear(double least, int most, Workers& workers) {
 }
 
 int Touches::sweepOn(double least, Workers& workers) {
-    constexpr int times = 4, most = 32;
+    constexpr int times = 4, most = 32, mostWithout = 256;
     int sum = 0;
-    for (int time = 0; time < times; ++time) {
+    for (int time = 0; time <= times; ++time) {
         linearise(workers);
-        const int rounds = sweepLinear(least, most, workers);
+        // Friction may go round in circles: pushes alone, a convex problem, part what is still
+        // near.
+        gripping_ = time < times;
+        const int rounds = gripping_ ? sweepLinear(least, most, workers)
+                                     : sweepLinear(least / 2, mostWithout, workers);
         if (rounds == 0) break;
         apply(workers);
         sum += rounds;
     }
+    gripping_ = true;
     return sum;
 }
 

@@ -139,6 +139,7 @@ public:
     void apply(Workers& workers);
 
 private:
+    bool gripping_ = true;                 // false: sweeps leave grips as they are
     static constexpr int colorLimit = 64;  // pairs beyond run one by one
 
     static std::size_t place(int i) { return static_cast<std::size_t>(i); }
