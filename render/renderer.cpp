@@ -3,8 +3,8 @@
 #include "finish.h"
 #include "render/shaders/backdrop.h"
 #include "render/shaders/brushed.h"
-#include "render/shaders/crystal.h"
 #include "render/shaders/cloth.h"
+#include "render/shaders/crystal.h"
 #include "render/shaders/glass.h"
 #include "render/shaders/grade.h"
 #include "render/shaders/latex.h"
@@ -169,10 +169,14 @@ void Renderer::expose(const Moment& moment, const Overlay* overlay, const Camera
     drawSkins(shot);
     drawBackdrop(shot);
     drawFaint(shot);
+    if (water_) {
+        copyCanvas();
+        canvas_.bind();
+    }
     drawGlass(shot, water_ ? 0 : -1);
     drawVeils(shot);
-    copyCanvas();
     drawWater(shot);
+    copyCanvas();
 }
 
 void Renderer::update(const Moment& moment, const Overlay* overlay, const Shot& shot) {

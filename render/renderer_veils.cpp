@@ -74,7 +74,8 @@ void Renderer::findWater(const Shot& shot) {
     glDepthFunc(GL_LESS);
 }
 
-// Over all else, which it bends, but for glass that it is seen through.
+// Over all else, but for glass that it is seen through. What it bends is the picture without any
+// glass: as a lens it would show the glass that it is in upside down.
 void Renderer::drawWater(const Shot& shot) {
     if (!water_) return;
     const WaterLens lens{shot.pose.eye, shot.pose.forward(), shot.camera, shot.pose.fieldOfView};
@@ -82,9 +83,11 @@ void Renderer::drawWater(const Shot& shot) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     setStage(water_->use(lens, resolved_.texture), shot.pose);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     drawScreen(empty_);
+    glDisable(GL_BLEND);
     drawGlass(shot, 1);
-    copyCanvas();
 }
 
 }  // namespace plait

@@ -91,7 +91,9 @@ struct Look {
     std::vector<double> satin = {};                  // 0 .. 1, how much of it skin wears
     Section section = {};
     Range directors = {};  // of a wire, one an edge, beside its middle; none: a frame without twist
-    Wall wall = {};        // of latex
+    // Of latex. Of water: `clear` is the depth (m) at which its colour has swallowed what it can,
+    // `thickness` how far behind it lies what is seen through it as through a lens.
+    Wall wall = {};
     std::vector<GlassPane> panes = {};  // of water, at most six
 };
 

@@ -125,8 +125,7 @@ Skin::Skin(const Prop& prop) : material_(prop.material), color_(toGlm(prop.color
                     normal += normals[other];
             vertices_.push_back(
                 {.position = toGlm(x[v]), .normal = unit(normal, up), .tangent = {0, 1, 0}});
-            if (!prop.hollow.empty())
-                vertices_.back().satin = static_cast<float>(prop.hollow[v]);
+            if (!prop.hollow.empty()) vertices_.back().satin = static_cast<float>(prop.hollow[v]);
         }
     }
     if (prop.motion) own_ = vertices_;

@@ -23,24 +23,22 @@ vec3 around(vec3 r) {
 }
 
 void main() {
-    if (side >= 0) {
-        float first = texelFetch(water, ivec2(gl_FragCoord.xy), 0).r;
-        bool before = first > 0.0 && dot(P - eye, forward) < first;
-        if (before != (side == 1)) discard;
-    }
+    float first = side < 0 ? 0.0 : texelFetch(water, ivec2(gl_FragCoord.xy), 0).r;
+    bool before = first > 0.0 && dot(P - eye, forward) < first;
     vec3 v = normalize(eye - P), n = normalize(N);
     bool outer = vertexStretch >= 0.0 && dot(n, v) > 0.0;
     n = dot(n, v) < 0.0 ? -n : n;
     float nv = max(dot(n, v), .02);
     float fresnel = finish.y + (1.0 - finish.y) * fifth(1.0 - nv);
     vec3 r = reflect(-v, n);
+    float b = sqrt(1.0 - nv * nv), q = vertexStretch, soft = fwidth(b) + .015;
+    if (side >= 0 && before != (side == 1)) discard;  // after what is known by its neighbours
     vec3 shine = around(r) + softBox(r, keyDirection, 5.0 * keyColor) +
                  softBox(r, fillDirection, 2.5 * bright * fillColor) + softBox(r, rimDirection, 3.0 * rimColor);
     if (!outer) {
         result = layer == 0 ? vec4(vec3(1.0 - fresnel), 1) : vec4(.6 * fresnel * shine, 0);
         return;
     }
-    float b = sqrt(1.0 - nv * nv), q = vertexStretch, soft = fwidth(b) + .015;
     float rod = smoothstep(q - soft, q + soft, b);
     vec3 in1 = refract(-v, n, 1.0 / 1.5), exit = normalize(n - 2.0 * dot(n, in1) * in1);
     vec3 bent = refract(in1, -exit, 1.5);

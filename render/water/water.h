@@ -53,6 +53,7 @@ private:
     float spacing_, radius_;
     glm::vec3 color_, swallow_;
     std::vector<glm::vec4> panes_;
+    float beyond_;  // m, from the water to what is seen through it
     int height_;
     Program depth_, thickness_, shadow_, smooth_, blur_, surface_;
     Target depths_, across_, smoothed_, thicknesses_, blurred_;

@@ -20,10 +20,9 @@ Outline smooth(const Outline& corners, int pieces) {
             const double f = static_cast<double>(k) / pieces, g = f * f, h = g * f;
             std::array<double, 2> p{};
             for (const int axis : {0, 1})
-                p[axis] = 0.5 * ((-f + 2 * g - h) * at(i - 1, axis) +
-                                 (2 - 5 * g + 3 * h) * at(i, axis) +
-                                 (f + 4 * g - 3 * h) * at(i + 1, axis) +
-                                 (h - g) * at(i + 2, axis));
+                p[axis] =
+                    0.5 * ((-f + 2 * g - h) * at(i - 1, axis) + (2 - 5 * g + 3 * h) * at(i, axis) +
+                           (f + 4 * g - 3 * h) * at(i + 1, axis) + (h - g) * at(i + 2, axis));
             curve.push_back({std::max(p[0], 0.0), p[1]});
         }
     return curve;
@@ -110,10 +109,11 @@ Vessel wineGlass(double thick) {
                                    {0.034, 0.182}},
                                   3);
     const double stem = std::max(0.0042, 0.8 * thick);
-    const Outline base = {{0, 0},          {0.036, 0},          {0.0366, 0.0016},
-                          {0.034, 0.0036}, {0.018, 0.0066},     {0.009, 0.0105},
-                          {stem, 0.019},   {0.9 * stem, 0.045}, {stem, 0.066},
-                          {1.5 * stem, 0.0835 - thick}};
+    const Outline base = {{0, 0},           {0.036, 0},
+                          {0.0366, 0.0016}, {0.034, 0.0036},
+                          {0.018, 0.0066},  {0.009, 0.0105},
+                          {stem, 0.019},    {0.9 * stem, 0.045},
+                          {stem, 0.066},    {1.5 * stem, 0.0835 - thick}};
     return {cavity, wallOf(base, cavity, thick)};
 }
 
@@ -134,13 +134,13 @@ Vessel carafe(double thick) {
 }
 
 Outline trayRim(double thick) {
-    constexpr double radius = 0.1, height = 0.013;
-    return {{radius, -0.02},
+    constexpr double radius = 0.13, height = 0.014;
+    return {{radius, 0},
             {radius, height},
             {radius + 0.3 * thick, height + 0.4 * thick},
             {radius + 0.7 * thick, height + 0.4 * thick},
             {radius + thick, height},
-            {radius + thick, -0.02}};
+            {radius + thick, 0}};
 }
 
 }  // namespace plait

@@ -65,8 +65,7 @@ ProfileGrid::Cell ProfileGrid::at(double radius, double height) const {
     if (!(x < columns_ && y >= 0 && y < rows_)) return {{}, {}, Within::mixed};
     const auto i = static_cast<std::size_t>(x), j = static_cast<std::size_t>(y);
     const std::size_t cell = j * static_cast<std::size_t>(columns_) + i;
-    return {part(nearest_, nearestStart_, cell), part(crossing_, crossingStart_, j),
-            within_[cell]};
+    return {part(nearest_, nearestStart_, cell), part(crossing_, crossingStart_, j), within_[cell]};
 }
 
 }  // namespace plait
