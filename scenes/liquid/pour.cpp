@@ -203,12 +203,12 @@ Prop propOf(const Vessel& vessel, double foot) {
 
 View viewOf(const Table& table, const Liquid& liquid) {
     View view;
-    // A fifth larger than they are: water reaches into the dark edge that glass around it has.
+    // Larger than they are: water reaches into the dark edge that glass around it has.
     view.looks = {{.object = liquid.particles,
                    .material = Material::water,
                    .color = {0.04, 0.16, 0.26},
-                   .radius = 0.6 * liquid.spacing,
-                   .wall = {.thickness = 0.3, .clear = 0.14}}};
+                   .radius = 0.7 * liquid.spacing,
+                   .wall = {.thickness = 0.3, .clear = 0.2}}};
     view.props = {propOf(table.glass, 0.0104), propOf(table.jug, -1)};
     view.props.back().motion = [vessel = table.jug](double t) { return jugAt(vessel, t); };
     view.props.push_back({turned(table.tray, 96), Material::matte, {0.03, 0.035, 0.045}});

@@ -33,7 +33,7 @@ inline const std::vector<GoldenScene> goldenScenes{
     {"pendulum", 18},       {"pile", 16},          {"sheet-on-sphere", 30},
     {"slinky", 100, 2},     {"strip-in-wind", 30}, {"tablecloth", 28},
     {"trampoline", 10},     {"two-balloons", 24},  {"unit-spring", 75},
-    {"wind-gauge", 1},
+    {"wind-gauge", 1},      {"liquid", 120, 1},
 };
 
 inline constexpr RenderOptions goldenOptions{.width = 480, .height = 270};
