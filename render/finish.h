@@ -7,7 +7,7 @@
 
 namespace plait {
 
-enum class Family { cloth, metal, coat, skin, tulle, brushed, latex, water, glass };
+enum class Family { cloth, metal, coat, skin, tulle, brushed, latex, water, glass, crystal };
 
 // `numbers` is what the family's shader calls `finish`.
 struct Finish {
@@ -47,6 +47,8 @@ inline Finish finishOf(Material material) {
             return {Family::water, {}};
         case Material::glass:
             return {Family::glass, {0.12f, 0.04f, 4, 0}};
+        case Material::crystal:
+            return {Family::crystal, {0.15f, 0.04f, 0, 0}};
     }
     return {Family::coat, {}};
 }

@@ -4,6 +4,7 @@
 #include "render/shaders/backdrop.h"
 #include "render/shaders/brushed.h"
 #include "render/shaders/cloth.h"
+#include "render/shaders/crystal.h"
 #include "render/shaders/glass.h"
 #include "render/shaders/grade.h"
 #include "render/shaders/latex.h"
@@ -106,7 +107,8 @@ bool Renderer::isVeil(const Skin& skin) {
 }
 
 bool Renderer::isGlass(const Skin& skin) {
-    return finishOf(skin.material()).family == Family::glass;
+    const Family family = finishOf(skin.material()).family;
+    return family == Family::glass || family == Family::crystal;
 }
 
 Picture Renderer::draw(std::span<const Vec<double>> positions, double t, const Overlay* overlay,
@@ -155,10 +157,11 @@ void Renderer::expose(const Moment& moment, const Overlay* overlay, const Camera
                           glm::vec3(2.0f * aside / glm::vec2(options_.width, options_.height), 0)) *
                       shot.camera;
     way_ = wayAt(view_.follow, t);
-    update(moment.positions, overlay, shot);
+    update(moment, overlay, shot);
     findSubject(shot);
     renderShadows();
     drawMirror(shot);
+    findWater(shot);
 
     canvas_.bind();
     glDepthMask(GL_TRUE);
@@ -166,14 +169,18 @@ void Renderer::expose(const Moment& moment, const Overlay* overlay, const Camera
     drawSkins(shot);
     drawBackdrop(shot);
     drawFaint(shot);
-    drawGlass(shot);
+    if (water_) {
+        copyCanvas();
+        canvas_.bind();
+    }
+    drawGlass(shot, water_ ? 0 : -1);
     drawVeils(shot);
-    copyCanvas();
     drawWater(shot);
+    copyCanvas();
 }
 
-void Renderer::update(std::span<const Vec<double>> positions, const Overlay* overlay,
-                      const Shot& shot) {
+void Renderer::update(const Moment& moment, const Overlay* overlay, const Shot& shot) {
+    const auto& [positions, t] = moment;
     const Lens lens{shot.pose.eye, shot.pose.forward(),
                     2 * std::tan(shot.pose.fieldOfView / 2) / static_cast<float>(options_.height)};
     std::vector<glm::vec3> tints;
@@ -182,6 +189,12 @@ void Renderer::update(std::span<const Vec<double>> positions, const Overlay* ove
     for (std::size_t i = 0; i < view_.looks.size(); ++i) {
         skins_[i].update(positions, tints, lens);
         uploadVertices(meshes_[i].vertices, skins_[i].vertices());
+    }
+    for (std::size_t i = 0; i < view_.props.size(); ++i) {
+        if (!view_.props[i].motion) continue;
+        const std::size_t skin = view_.looks.size() + i;
+        skins_[skin].place(view_.props[i].motion(t));
+        uploadVertices(meshes_[skin].vertices, skins_[skin].vertices());
     }
     if (water_) water_->update(positions);
     std::vector<const Skin*> veils;
@@ -249,6 +262,8 @@ const char* Renderer::familyShader(Family family) {
             break;
         case Family::glass:
             return glassShader;
+        case Family::crystal:
+            return crystalShader;
     }
     return coatShader;
 }
@@ -262,7 +277,7 @@ const Program& Renderer::surfaceProgram(std::size_t i, const Shot& shot) {
     if (shot.overlay && !prop) defines += "#define OVERLAY\n";
     if (skin.colored() || family == Family::tulle) defines += "#define COLORS\n";
     if (family == Family::skin) defines += "#define SKIN\n";
-    if (family == Family::latex || family == Family::glass) defines += "#define LATEX\n";
+    if (family == Family::latex || isGlass(skin)) defines += "#define LATEX\n";
     if (skin.isWire()) defines += "#define WIRE\n";
     if (family == Family::tulle) {
         defines += "#define TULLE\n";

@@ -81,7 +81,7 @@ private:
                 const glm::vec2& aside);
     void addSkin(Skin skin);
     void prepareGround();
-    void update(std::span<const Vec<double>> positions, const Overlay* overlay, const Shot& shot);
+    void update(const Moment& moment, const Overlay* overlay, const Shot& shot);
     void findSubject(const Shot& shot);
     void renderShadows();
     void drawCasters(const glm::mat4& matrix, float perMetre);
@@ -91,7 +91,9 @@ private:
     void drawVeils(const Shot& shot);
     void drawWater(const Shot& shot);
     void copyCanvas() const;
-    void drawGlass(const Shot& shot);
+    // What of it is on that side of the water: 1 before it, 0 all else; -1 all of it.
+    void drawGlass(const Shot& shot, int side);
+    void findWater(const Shot& shot);
     void useSurface(std::size_t i, const Shot& shot);
     const Program& surfaceProgram(std::size_t i, const Shot& shot);
     float pixelAt(const CameraPose& pose) const;

@@ -117,7 +117,7 @@ void Renderer::drawMirror(const Shot& shot) {
     glScissor(0, 0, options_.width, groundRows(shot) / 2 + 1);
     drawSkins(image);
     drawFaint(image);
-    drawGlass(image);
+    drawGlass(image, -1);
     drawVeils(image);
     glDisable(GL_SCISSOR_TEST);
     mirror.end(empty_);

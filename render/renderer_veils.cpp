@@ -34,7 +34,7 @@ void Renderer::drawVeils(const Shot& shot) {
 }
 
 // Twice: factors of what is behind in any order, then sums.
-void Renderer::drawGlass(const Shot& shot) {
+void Renderer::drawGlass(const Shot& shot, int side) {
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_LESS);
@@ -45,8 +45,14 @@ void Renderer::drawGlass(const Shot& shot) {
             glBlendFunc(GL_ONE, GL_ONE);
         for (std::size_t i = 0; i < skins_.size(); ++i) {
             if (!isGlass(skins_[i])) continue;
+            const bool crystal = finishOf(skins_[i].material()).family == Family::crystal;
+            if (!crystal && side == 1) continue;
             useSurface(i, shot);
-            surfaceProgram(i, shot).set("layer", layer);
+            const Program& program = surfaceProgram(i, shot);
+            program.set("layer", layer);
+            program.set("side", side);
+            if (side >= 0) program.set("water", 12, water_->depths());
+            program.set("forward", shot.pose.forward());
             drawMesh(i);
         }
     }
@@ -61,17 +67,27 @@ void Renderer::copyCanvas() const {
                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-// Over all else, which it bends.
+void Renderer::findWater(const Shot& shot) {
+    if (!water_) return;
+    water_->find({shot.pose.eye, shot.pose.forward(), shot.camera, shot.pose.fieldOfView}, empty_);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+}
+
+// Over all else, but for glass that it is seen through. What it bends is the picture without any
+// glass: as a lens it would show the glass that it is in upside down.
 void Renderer::drawWater(const Shot& shot) {
     if (!water_) return;
     const WaterLens lens{shot.pose.eye, shot.pose.forward(), shot.camera, shot.pose.fieldOfView};
-    water_->find(lens, empty_);
     canvas_.bind();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     setStage(water_->use(lens, resolved_.texture), shot.pose);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     drawScreen(empty_);
-    copyCanvas();
+    glDisable(GL_BLEND);
+    drawGlass(shot, 1);
 }
 
 }  // namespace plait

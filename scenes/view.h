@@ -4,6 +4,7 @@
 
 #include <plait/complex/complex.h>
 #include <plait/complex/shapes.h>
+#include <plait/contacts/solids/placement.h>
 
 #include <array>
 #include <functional>
@@ -32,6 +33,7 @@ struct Camera {
 // is taut, deep and matte where it is limp. It is to be drawn by triangles; their rest shape is the
 // world's.
 // Glass is solids of a pane, with sharp edges, whose faces inside are seen where they came apart.
+// Crystal is a vessel of glass with a smooth wall; a thing that stands about.
 enum class Material {
     silk,
     cotton,
@@ -47,6 +49,7 @@ enum class Material {
     latex,
     water,
     glass,
+    crystal,
 };
 
 // Of a wire: a rectangle of `along` by `across` its director, or, without the latter, a circle of
@@ -88,7 +91,9 @@ struct Look {
     std::vector<double> satin = {};                  // 0 .. 1, how much of it skin wears
     Section section = {};
     Range directors = {};  // of a wire, one an edge, beside its middle; none: a frame without twist
-    Wall wall = {};        // of latex
+    // Of latex. Of water: `clear` is the depth (m) at which its colour has swallowed what it can,
+    // `thickness` how far behind it lies what is seen through it as through a lens.
+    Wall wall = {};
     std::vector<GlassPane> panes = {};  // of water, at most six
 };
 
@@ -97,6 +102,10 @@ struct Prop {
     Shape shape;
     Material material = Material::matte;
     std::array<double, 3> color{0.254, 0.216, 0.188};
+    // Of crystal, by vertex: radius of the hollow over that of the outside, 0 where it is solid; -1
+    // inside the hollow.
+    std::vector<double> hollow = {};
+    Posing motion = {};  // where the shape's own axes are at a time (s); none: it stands
 };
 
 // The camera goes along with a point, as an operator would who knows the way: its motion is

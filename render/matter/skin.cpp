@@ -105,6 +105,8 @@ Skin::Skin(const Prop& prop) : material_(prop.material), color_(toGlm(prop.color
     const auto& complex = prop.shape.complex;
     const Range all{0, complex.count(0)};
     const auto& x = prop.shape.positions;
+    if (!prop.hollow.empty() && prop.hollow.size() != x.size())
+        throw std::invalid_argument("prop: needs as many of hollow as its shape has vertices");
     const auto triangles = outerTriangles(complex, x, all);
     std::vector<glm::vec3> normals;  // as long as twice the area
     std::vector<std::vector<int>> around(x.size());
@@ -123,7 +125,19 @@ Skin::Skin(const Prop& prop) : material_(prop.material), color_(toGlm(prop.color
                     normal += normals[other];
             vertices_.push_back(
                 {.position = toGlm(x[v]), .normal = unit(normal, up), .tangent = {0, 1, 0}});
+            if (!prop.hollow.empty()) vertices_.back().satin = static_cast<float>(prop.hollow[v]);
         }
+    }
+    if (prop.motion) own_ = vertices_;
+}
+
+void Skin::place(const Frame& frame) {
+    const glm::vec3 x = toGlm(frame.across), y = toGlm(frame.up), at = toGlm(frame.origin);
+    const glm::mat3 turn(x, y, glm::cross(x, y));
+    for (std::size_t i = 0; i < own_.size(); ++i) {
+        vertices_[i].position = at + turn * own_[i].position;
+        vertices_[i].normal = turn * own_[i].normal;
+        vertices_[i].tangent = turn * own_[i].tangent;
     }
 }
 

@@ -25,13 +25,16 @@ public:
     // range outside the complex or a wrong number of uv, colours or satin.
     Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, const Look& look,
          float pixel);
-    // A thing that stays as it is; its edges are sharp from 40 degrees on.
+    // A thing that keeps its shape; its edges are sharp from 40 degrees on. Throws
+    // std::invalid_argument for a wrong number of `hollow`.
     explicit Skin(const Prop& prop);
 
     // Positions of the whole world (m); tints of an overlay by vertex of the world, or none.
     // Wires are as wide as `lens` wants them.
     void update(std::span<const Vec<double>> positions, std::span<const glm::vec3> tints = {},
                 const Lens& lens = {});
+    // Of a thing that keeps its shape: where its own axes are now.
+    void place(const Frame& frame);
 
     const std::vector<MeshVertex>& vertices() const { return vertices_; }
     const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
@@ -85,6 +88,7 @@ private:
     std::vector<glm::vec3> coarse_, fine_;
     std::vector<glm::vec3> coarseTints_, fineTints_;
     std::vector<MeshVertex> vertices_;
+    std::vector<MeshVertex> own_;  // of a thing that moves, in its own axes
     std::vector<std::array<int, 3>> triangles_;
 };
 

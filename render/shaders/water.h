@@ -105,15 +105,22 @@ uniform float pixels;   // that a metre is seen as, a metre away
 uniform float range;    // m, that a surface is thick
 in vec2 place;
 out vec4 result;
+
+// Never between two: beside an outline there is nothing.
+float at(vec2 p) {
+    ivec2 size = textureSize(source, 0);
+    return texelFetch(source, clamp(ivec2(p * vec2(size)), ivec2(0), size - 1), 0).r;
+}
+
 void main() {
-    float depth = texture(source, place).r;
+    float depth = at(place);
     result = vec4(depth, 0, 0, 1);
     if (depth <= 0.0) return;
     float sigma = min(reach * pixels / depth, 16.0);
     int taps = int(ceil(2.0 * sigma));
     float low = depth - range, high = depth + range, sum = depth, weight = 1.0;
     for (int i = 1; i <= taps; ++i) {
-        float a = texture(source, place + float(i) * step).r, b = texture(source, place - float(i) * step).r;
+        float a = at(place + float(i) * step), b = at(place - float(i) * step);
         float w = exp(-float(i * i) / (2.0 * sigma * sigma));
         if (a <= 0.0 || b <= 0.0) continue;
         if (a < low || b < low) continue;
@@ -145,6 +152,7 @@ uniform vec3 forward;
 uniform sampler2D depths, thicknesses, behind;
 uniform vec3 swallow;  // 1/m
 uniform float spacing;  // m
+uniform float beyond;   // m, to what is seen through it
 uniform vec3 color;
 in vec2 place;
 out vec4 result;
@@ -155,12 +163,17 @@ vec3 rayAt(vec2 p) {
     return d / dot(d, forward);
 }
 
+float depthAt(vec2 p) {
+    ivec2 size = textureSize(depths, 0);
+    return texelFetch(depths, clamp(ivec2(p * vec2(size)), ivec2(0), size - 1), 0).r;
+}
+
 vec3 pointAt(vec2 p, float depth) { return eye + depth * rayAt(p); }
 
 // The smaller of the two differences: across an outline the other is that to another surface. Where
 // both are, or there is none, it counts as upright to the eye.
 vec3 slope(vec3 at, vec2 by) {
-    float ahead = texture(depths, place + by).r, back = texture(depths, place - by).r;
+    float ahead = depthAt(place + by), back = depthAt(place - by);
     float depth = dot(at - eye, forward), most = .5 * spacing;
     bool noneAhead = ahead <= 0.0 || abs(ahead - depth) > most;
     bool noneBack = back <= 0.0 || abs(back - depth) > most;
@@ -174,7 +187,7 @@ vec3 slope(vec3 at, vec2 by) {
 float fifthOf(float a) { return a * square(square(a)); }
 
 void main() {
-    float depth = texture(depths, place).r;
+    float depth = depthAt(place);
     if (depth <= 0.0) discard;
     vec3 at = pointAt(place, depth);
     vec2 pixel = 1.0 / vec2(textureSize(depths, 0));
@@ -188,14 +201,16 @@ void main() {
     float thick = texture(thicknesses, place).r;
     vec3 inside = refract(-v, n, 1.0 / 1.33);
     // Where the bent ray leaves the water the picture behind is looked up.
-    vec4 out4 = camera * vec4(at + min(thick, .6) * inside, 1);
+    // There it is bent again, as if by the far side of a ball.
+    vec3 leaving = refract(inside, -normalize(n - 2.0 * dot(n, inside) * inside), 1.33);
+    vec4 out4 = camera * vec4(at + min(thick, .6) * inside + beyond * leaving, 1);
     vec2 bent = clamp(.5 + .5 * out4.xy / out4.w, vec2(.001), vec2(.999));
     vec3 through = exp(-swallow * thick);
     // An outline is where hardly any water is left, rather than where the last ball ends.
     float part = smoothstep(.12, .5, thick / spacing), around = 0.0;
-    for (int i = 0; i < 9; ++i) around += step(1e-6, texture(depths, place + pixel * (vec2(i % 3, i / 3) - 1.0)).r);
+    for (int i = 0; i < 9; ++i) around += step(1e-6, depthAt(place + pixel * (vec2(i % 3, i / 3) - 1.0)));
     part *= smoothstep(4.0, 9.0, around);
-    vec3 straight = texture(behind, place).rgb, seen = texture(behind, bent).rgb;
+    vec3 seen = texture(behind, bent).rgb;
     vec3 scattered = color * (bright * skyColor + .5 * keyColor * max(keyDirection.y, 0.0) +
                               .6 * backdrop(-v, 1.0) + .3 * rimColor * max(dot(-v, rimDirection), 0.0));
     vec3 r = reflect(-v, n);
@@ -203,7 +218,7 @@ void main() {
     float glint = 40.0 * pow(max(dot(r, keyDirection), 0.0), 900.0) + 1.5 * pow(max(dot(r, keyDirection), 0.0), 60.0);
     float rim = 12.0 * pow(max(dot(r, rimDirection), 0.0), 300.0);
     vec3 mirrored = backdrop(r, .05) + bright * skyColor * max(r.y, 0.0) + glint * keyColor + rim * rimColor;
-    result = vec4(mix(straight, mix(mix(scattered, seen, through), mirrored, fresnel), part), 1);
+    result = vec4(mix(mix(scattered, seen, through), mirrored, fresnel), part);
     vec4 clip = camera * vec4(at, 1);
     gl_FragDepth = .5 + .5 * clip.z / clip.w;
 }

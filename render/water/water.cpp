@@ -26,6 +26,7 @@ Water::Water(const Look& look, const std::string& prologue, int width, int heigh
       radius_(0.75f * spacing_),
       color_(static_cast<float>(look.color[0]), static_cast<float>(look.color[1]),
              static_cast<float>(look.color[2])),
+      beyond_(static_cast<float>(look.wall.thickness)),
       height_(height),
       depth_(dropVertexShader, std::string(dropShader) + dropDepthShader),
       thickness_(dropVertexShader, std::string(dropShader) + dropThicknessShader),
@@ -42,7 +43,8 @@ Water::Water(const Look& look, const std::string& prologue, int width, int heigh
       buffer_(makeBuffer()) {
     if (look.panes.size() > mostPanes) throw std::invalid_argument("look: has more than six panes");
     // By which a metre of it swallows light, by channel: all but what it looks like.
-    swallow_ = 1.8f * (1.0f - color_ / std::max({color_.r, color_.g, color_.b, 1e-6f}));
+    swallow_ = (1.0f - color_ / std::max({color_.r, color_.g, color_.b, 1e-6f})) /
+               static_cast<float>(look.wall.clear);
     for (const GlassPane& pane : look.panes)
         panes_.emplace_back(toGlm(pane.normal), static_cast<float>(dot(pane.normal, pane.point)));
     glBindVertexArray(array_);
@@ -162,6 +164,7 @@ const Program& Water::use(const WaterLens& lens, const Texture& behind) const {
     surface_.set("unproject", glm::inverse(lens.camera));
     surface_.set("forward", lens.forward);
     surface_.set("swallow", swallow_);
+    surface_.set("beyond", beyond_);
     surface_.set("color", color_);
     surface_.set("spacing", spacing_);
     surface_.set("depths", 12, smoothed_.texture);

@@ -36,6 +36,8 @@ public:
     void drawShadow(const glm::mat4& matrix, float perMetre) const;
     // Finds the surface; whatever target was bound is no more.
     void find(const WaterLens& lens, const VertexArray& empty) const;
+    // m along the camera's axis, of what was found; 0: none.
+    const Texture& depths() const { return smoothed_.texture; }
     // The program that draws what was found over what is there, which is `behind`; the stage is for
     // the caller to set, who then calls drawScreen() with depths tested.
     const Program& use(const WaterLens& lens, const Texture& behind) const;
@@ -51,6 +53,7 @@ private:
     float spacing_, radius_;
     glm::vec3 color_, swallow_;
     std::vector<glm::vec4> panes_;
+    float beyond_;  // m, from the water to what is seen through it
     int height_;
     Program depth_, thickness_, shadow_, smooth_, blur_, surface_;
     Target depths_, across_, smoothed_, thicknesses_, blurred_;

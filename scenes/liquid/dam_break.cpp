@@ -128,6 +128,7 @@ View viewOf(const Range& water, double spacing) {
                               {0.2, 0.27, 1.3});
     view.looks[0].radius = 0.5 * spacing;
     view.looks[0].color = {0.03, 0.15, 0.27};
+    view.looks[0].wall = {.thickness = 0, .clear = 1 / 1.8};
     view.looks[0].panes = {{{0, 0, 0}, {0, -1, 0}},
                            {{0, 0, 0}, {-1, 0, 0}},
                            {{tank, 0, 0}, {1, 0, 0}},

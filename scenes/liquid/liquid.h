@@ -6,5 +6,6 @@
 namespace plait {
 
 Scene damBreak(const Knobs&);
+Scene pouring(const Knobs&);
 
 }  // namespace plait

@@ -91,8 +91,7 @@ void addPeg(View& view, const Vec<double>& front, double radius) {
     addBar(view, front - Vec<double>{0, 0, 0.2}, front, radius, Material::matte);
 }
 
-Shape turned(const std::vector<std::array<double, 2>>& profile) {
-    constexpr int sides = 48;
+Shape turned(const std::vector<std::array<double, 2>>& profile, int sides) {
     Simplices simplices;
     Shape shape;
     for (int i = 0; i < static_cast<int>(profile.size()); ++i)

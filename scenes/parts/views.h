@@ -32,7 +32,7 @@ void addBox(View& view, const Vec<double>& low, const Vec<double>& high);
 // A round slate peg along z behind the point `front`.
 void addPeg(View& view, const Vec<double>& front, double radius);
 
-// A profile, radius and height (m) of each ring from below, turned around y.
-Shape turned(const std::vector<std::array<double, 2>>& profile);
+// A profile, radius and height (m) of each ring from below, turned around y; vertices ring by ring.
+Shape turned(const std::vector<std::array<double, 2>>& profile, int sides = 48);
 
 }  // namespace plait

@@ -34,6 +34,7 @@ Scene slab(double deep) {
     Look look;
     look.object = scene.world.add(shape);
     look.material = Material::water;
+    look.wall = {.thickness = 0, .clear = 1 / 1.8};
     look.color = {0, 0, 1e-3};
     look.radius = 0.5 * spacing;
     look.panes = {{{0, 0, 0}, {0, 0, 1}}};

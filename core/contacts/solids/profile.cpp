@@ -18,22 +18,32 @@ Profile::Profile(std::vector<std::array<double, 2>> corners) : corners_(std::mov
     }
     if (n < 3 || area == 0) throw std::invalid_argument("profile: it encloses nothing");
     reversed_ = area < 0;
+    grid_ = ProfileGrid(
+        corners_,
+        [this](std::size_t edge, double radius, double height) {
+            if (!isSurface(edge)) return infinity;
+            const auto off = offEdge(edge, radius, height);
+            return off[0] * off[0] + off[1] * off[1];
+        },
+        [this](double radius, double height) { return contains(radius, height); });
 }
 
 bool Profile::isSurface(std::size_t edge) const {
     return corners_[edge][0] > 0 || corners_[(edge + 1) % corners_.size()][0] > 0;
 }
 
-// By the crossings of a way outward along the radius.
+// A way outward along the radius meets it.
+bool Profile::crosses(std::size_t edge, double radius, double height) const {
+    const auto& a = corners_[edge];
+    const auto& b = corners_[(edge + 1) % corners_.size()];
+    if ((a[1] > height) == (b[1] > height)) return false;
+    return a[0] + (height - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) > radius;
+}
+
 bool Profile::contains(double radius, double height) const {
     bool in = false;
-    const std::size_t n = corners_.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        const auto& a = corners_[i];
-        const auto& b = corners_[(i + 1) % n];
-        if ((a[1] > height) == (b[1] > height)) continue;
-        if (a[0] + (height - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) > radius) in = !in;
-    }
+    for (std::size_t i = 0; i < corners_.size(); ++i)
+        if (crosses(i, radius, height)) in = !in;
     return in;
 }
 
@@ -52,16 +62,26 @@ Profile::Nearest Profile::nearest(double radius, double height) const {
     double least = infinity;
     std::array<double, 2> away{};
     std::size_t edge = 0;
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-        if (!isSurface(i)) continue;
+    const auto look = [&](std::size_t i) {
         const auto off = offEdge(i, radius, height);
         const double squared = off[0] * off[0] + off[1] * off[1];
-        if (squared >= least) continue;
+        if (squared >= least) return;
         least = squared;
         away = off;
         edge = i;
+    };
+    const ProfileGrid::Cell cell = grid_.at(radius, height);
+    for (const int i : cell.nearest) look(static_cast<std::size_t>(i));
+    for (std::size_t i = 0; cell.nearest.empty() && i < corners_.size(); ++i)
+        if (isSurface(i)) look(i);
+    bool in = cell.within == ProfileGrid::Within::yes;
+    if (cell.nearest.empty()) {
+        in = contains(radius, height);
+    } else if (cell.within == ProfileGrid::Within::mixed) {
+        for (const int i : cell.crossing)
+            if (crosses(static_cast<std::size_t>(i), radius, height)) in = !in;
     }
-    const double distance = squareRoot(least), sign = contains(radius, height) ? -1 : 1;
+    const double distance = squareRoot(least), sign = in ? -1 : 1;
     if (distance > 1e-12)
         return {sign * distance, {sign / distance * away[0], sign / distance * away[1]}};
     const auto& a = corners_[edge];

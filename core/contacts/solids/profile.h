@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../../numbers/math.h"
+#include "profile_grid.h"
 
 #include <array>
 #include <span>
@@ -35,9 +36,11 @@ public:
 private:
     bool isSurface(std::size_t edge) const;
     std::array<double, 2> offEdge(std::size_t edge, double radius, double height) const;
+    bool crosses(std::size_t edge, double radius, double height) const;
 
     std::vector<std::array<double, 2>> corners_;
     bool reversed_ = false;  // corners go round clockwise, with the radius to the right
+    ProfileGrid grid_;
 };
 
 }  // namespace plait
