@@ -31,7 +31,7 @@ public:
 
 private:
     static constexpr int cells = 192;  // along each axis
-    double left_ = 0, low_ = 0, step_ = 1;
+    double low_ = 0, step_ = 1;
     int columns_ = 0, rows_ = 0;
     std::vector<int> nearestStart_, nearest_, crossingStart_, crossing_;
     std::vector<Within> within_;
