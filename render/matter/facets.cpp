@@ -64,7 +64,7 @@ Facets::Facets(std::span<const glm::vec3> rest, std::vector<std::array<int, 3>> 
     for (const auto& [a, b, c] : triangles_) {
         const glm::vec3 n = glm::normalize(glm::cross(rest[b] - rest[a], rest[c] - rest[a]));
         const float own = behind(solid[a], rest[a], n);
-        outside_.push_back(std::ranges::none_of(beside[a], [&, a = a, b = b, c = c](int other) {
+        outside_.push_back(std::ranges::none_of(beside[a], [&](int other) {
             return contains(beside[b], other) && contains(beside[c], other) &&
                    behind(other, rest[a], n) < 0.5f * own;
         }));
