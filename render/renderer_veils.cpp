@@ -51,7 +51,7 @@ void Renderer::drawGlass(const Shot& shot, int side) {
             const Program& program = surfaceProgram(i, shot);
             program.set("layer", layer);
             program.set("side", side);
-            if (side >= 0) program.set("water", 12, water_->depths());
+            if (side >= 0 && water_) program.set("water", 12, water_->depths());
             program.set("forward", shot.pose.forward());
             drawMesh(i);
         }

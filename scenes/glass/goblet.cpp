@@ -4,6 +4,7 @@
 #include <plait/numbers/splitmix.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace plait {
@@ -64,7 +65,8 @@ private:
     // Calls place(angle) for each site of a ring of this radius.
     template <class Place>
     void ring(double radius, const Place& place) {
-        const int count = std::max(5, static_cast<int>(turn * radius / goblet_.spacing + 0.5));
+        const int count =
+            std::max(5, static_cast<int>(std::lround(turn * radius / goblet_.spacing)));
         const double first = random_.next();
         for (int i = 0; i < count; ++i) place(turn * (i + first + off()) / count);
     }

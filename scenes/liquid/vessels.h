@@ -22,7 +22,7 @@ struct Vessel {
     double radius(double height) const;
     bool holds(double radius, double height) const;
     // m, up to which what has its centre there fills it.
-    double levelOf(double centre) const;
+    double levelOf(double middle) const;
 };
 
 // Each stands on y = 0; `thick` (m) is its wall.
