@@ -106,7 +106,7 @@ long PieceContacts<Real>::sweepOn(const Sweep<Real>& sweep, Workers& workers) {
 template <class Real>
 long PieceContacts<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
     if (gaveUp_) return 0;
-    constexpr int passes = 5;
+    constexpr int passes = 12;
     findPoses(sweep, workers);
     long work = sweepOn(sweep, workers);
     for (int pass = 0; const long crossing = findCrossing(workers); ++pass) {
