@@ -57,11 +57,12 @@ View viewOf(const World& world, const std::vector<int>& cells, int ball) {
                    .material = Material::glass,
                    .color = {0.25, 0.5, 0.45}}};
     const double l = side / 2, t = low + side, d = depth / 2;
+    constexpr double lip = 0.001;  // m, by which the frame hides the pane's own edge
     const std::array<std::array<Vec<double>, 2>, 5> bars{
-        {{{{-l - bar, low - bar, -d}, {l + bar, low, d}}},
-         {{{l, low, -d}, {l + bar, t, d}}},
-         {{{-l - bar, t, -d}, {l + bar, t + bar, d}}},
-         {{{-l - bar, low, -d}, {-l, t, d}}},
+        {{{{-l - bar, low - bar, -d}, {l + bar, low + lip, d}}},
+         {{{l - lip, low, -d}, {l + bar, t, d}}},
+         {{{-l - bar, t - lip, -d}, {l + bar, t + bar, d}}},
+         {{{-l - bar, low, -d}, {-l + lip, t, d}}},
          foot}};
     for (const auto& [from, to] : bars)
         view.props.push_back(
