@@ -17,6 +17,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace plait {
@@ -52,6 +53,9 @@ template <template <class> class Base>
 struct Recipe {
     std::function<std::unique_ptr<Base<float>>(const World&, KernelChoice)> single;
     std::function<std::unique_ptr<Base<double>>(const World&, KernelChoice)> full;
+    // What may be made in its place, each by what it leaves out: so whoever wants to know whether a
+    // world needs as much can try.
+    std::vector<std::pair<std::string, Recipe>> lesser = {};
 
     template <class Real>
     std::unique_ptr<Base<Real>> make(const World& world, KernelChoice kernels) const {
@@ -133,6 +137,8 @@ struct World {
     // from (World, options, KernelChoice).
     template <template <class> class F, class Options>
     void act(Options options);
+    template <template <class> class F, class Options>
+    static Recipe<Force> recipeOfForce(Options options);
 
     // Notes a value outside [low, high] by name.
     void warnOutside(const std::string& name, double value, double low, double high);
@@ -153,7 +159,7 @@ void checkRows(const std::string& set, const Rows<Kind>& rows, std::size_t verti
 }
 
 template <template <class> class F, class Options>
-void World::act(Options options) {
+Recipe<Force> World::recipeOfForce(Options options) {
     const auto make = [options]<class Real>(const World& world,
                                             KernelChoice kernels) -> std::unique_ptr<Force<Real>> {
         if constexpr (std::is_constructible_v<F<Real>, const World&, const Options&, KernelChoice>)
@@ -161,8 +167,13 @@ void World::act(Options options) {
         else
             return std::make_unique<F<Real>>(world, options);
     };
+    return recipeOf<Force>(make);
+}
+
+template <template <class> class F, class Options>
+void World::act(Options options) {
     if constexpr (requires { options.strength(); }) gravity = std::max(gravity, options.strength());
-    forces.push_back(recipeOf<Force>(make));
+    forces.push_back(recipeOfForce<F>(std::move(options)));
 }
 
 }  // namespace plait

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace plait {
 namespace {
@@ -42,6 +43,29 @@ Surface checked(World& world, Surface s, const std::string& set) {
     world.warnOutside(set + ".staticFriction", s.staticFriction, 0, 1);
     world.warnOutside(set + ".dynamicFriction", s.dynamicFriction, 0, 1);
     return s;
+}
+
+std::vector<LesserSurfaces> lesserForms(const std::vector<Surface>& surfaces) {
+    std::vector<LesserSurfaces> forms;
+    // Offered where `change` says that it has changed one.
+    const auto offer = [&](const std::string& without, bool (*change)(Surface&)) {
+        LesserSurfaces form{without, surfaces};
+        bool any = false;
+        for (Surface& s : form.surfaces) any |= change(s);
+        if (any) forms.push_back(std::move(form));
+    };
+    offer("edges with edges, of their own",
+          [](Surface& s) { return s.self == Self::full && (s.self = Self::vertexFace, true); });
+    offer("contact with itself",
+          [](Surface& s) { return s.self != Self::none && (s.self = Self::none, true); });
+    offer("friction", [](Surface& s) {
+        const bool rough = s.staticFriction != 0 || s.dynamicFriction != 0;
+        s.staticFriction = s.dynamicFriction = 0;
+        return rough;
+    });
+    offer("restitution", [](Surface& s) { return std::exchange(s.restitution, 0) != 0; });
+    offer("stickiness", [](Surface& s) { return std::exchange(s.stickiness, 0) != 0; });
+    return forms;
 }
 
 }  // namespace plait

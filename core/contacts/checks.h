@@ -14,6 +14,13 @@ inline bool isMeasure(double a) { return a >= 0 && std::isfinite(a); }
 // one out of range; friction out of range is warned of.
 Surface checked(World& world, Surface surface, const std::string& set);
 
+// The same surfaces with something left out: what recipes of contacts offer as their lesser forms.
+struct LesserSurfaces {
+    std::string without;
+    std::vector<Surface> surfaces;
+};
+std::vector<LesserSurfaces> lesserForms(const std::vector<Surface>& surfaces);
+
 // Of a vertex of a checked surface, m.
 inline double thicknessAt(const Surface& surface, int vertex) {
     return surface.radii.empty()

@@ -53,6 +53,21 @@ void actAir(World& world, const AirOptions& options) {
     world.warnOutside("air lift", options.lift, 0,
                       legacy ? std::max(options.drag, 0.0) : thinPlate);
     world.act<Air>(options);
+    const auto offer = [&](const std::string& without, auto AirOptions::* part) {
+        if (options.*part == 0) return;
+        AirOptions less = options;
+        less.*part = 0;
+        world.forces.back().lesser.emplace_back(without, World::recipeOfForce<Air>(less));
+    };
+    offer("added mass", &AirOptions::addedMass);
+    offer("drag along itself", &AirOptions::tangentialDrag);
+    offer("lift", &AirOptions::lift);
+    AirOptions calm = options, rare = options;
+    calm.wind.noise = 0;
+    rare.interval *= 2;
+    if (options.wind.noise > 0)
+        world.forces.back().lesser.emplace_back("gusts", World::recipeOfForce<Air>(calm));
+    world.forces.back().lesser.emplace_back("every second time", World::recipeOfForce<Air>(rare));
 }
 
 template <class Real>

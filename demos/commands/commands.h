@@ -12,6 +12,7 @@ Command renderCommand();
 Command checkCommand();
 Command compareCommand();
 Command benchCommand();
+Command ablateCommand();
 Command stabilityCommand();
 Command studyCommand();
 

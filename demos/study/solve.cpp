@@ -4,6 +4,7 @@
 #include "demos/tools/errors.h"
 #include "demos/tools/interrupt.h"
 #include "demos/tools/progress.h"
+#include "demos/tools/thread_time.h"
 #include "median.h"
 
 #include <plait/constraints/constants.h>
@@ -11,7 +12,6 @@
 #include <plait/solver.h>
 
 #include <sched.h>
-#include <time.h>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -62,12 +62,6 @@ Strain strainOf(const Solver<Real>& solver, const World& world) {
 struct Spent {
     double seconds, cpu;
 };
-
-double threadTime() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-}
 
 template <class Real>
 class Trial {

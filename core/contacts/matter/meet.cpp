@@ -6,6 +6,15 @@
 #include <stdexcept>
 
 namespace plait {
+namespace {
+
+Recipe<Constraint> recipeFor(const std::vector<Surface>& surfaces, const ContactOptions& options) {
+    return recipeOf<Constraint>([=]<class Real>(const World& made, KernelChoice) {
+        return std::make_unique<ContactSet<Real>>(made, surfaces, options);
+    });
+}
+
+}  // namespace
 
 void meet(World& world, std::vector<Surface> surfaces, const ContactOptions& options) {
     if (!isMeasure(options.recovery) || !isMeasure(options.margin) ||
@@ -15,11 +24,16 @@ void meet(World& world, std::vector<Surface> surfaces, const ContactOptions& opt
                                     ": recovery, margin, threshold and limit are at least 0, the "
                                     "shock of layers at least 1");
     for (Surface& s : surfaces) s = checked(world, s, options.name);
-    const auto make = [surfaces, options]<class Real>(const World& made, KernelChoice) {
-        return std::make_unique<ContactSet<Real>>(made, surfaces, options);
-    };
+    Recipe<Constraint> recipe = recipeFor(surfaces, options);
+    for (const LesserSurfaces& form : lesserForms(surfaces))
+        recipe.lesser.emplace_back(form.without, recipeFor(form.surfaces, options));
+    if (options.detection == Detection::path) {
+        ContactOptions atEnds = options;
+        atEnds.detection = Detection::end;
+        recipe.lesser.emplace_back("the way there", recipeFor(surfaces, atEnds));
+    }
     world.constrain(
-        recipeOf<Constraint>(make),
+        std::move(recipe),
         {.name = options.name, .order = options.order, .importance = options.importance}, true);
 }
 

@@ -284,11 +284,18 @@ void meetPieces(World& world, std::vector<Surface> surfaces, const ContactOption
     for (Surface& s : surfaces) s = checked(world, s, options.name);
     if (!isMeasure(sleep.speed) || !isMeasure(sleep.delay))
         throw std::invalid_argument(options.name + ": speed and delay of sleep are from 0 on");
-    const auto make = [surfaces, options, sleep]<class Real>(const World& made, KernelChoice) {
-        return std::make_unique<PieceContacts<Real>>(made, surfaces, options, sleep);
+    const auto recipeFor = [&](const std::vector<Surface>& terms) {
+        return recipeOf<Constraint>(
+            [terms, options, sleep]<class Real>(const World& made, KernelChoice) {
+                return std::make_unique<PieceContacts<Real>>(made, terms, options, sleep);
+            });
     };
+    Recipe<Constraint> recipe = recipeFor(surfaces);
+    for (const LesserSurfaces& form : lesserForms(surfaces))
+        if (form.without == "friction" || form.without == "restitution")  // all that pieces know
+            recipe.lesser.emplace_back(form.without, recipeFor(form.surfaces));
     world.constrain(
-        recipeOf<Constraint>(make),
+        std::move(recipe),
         {.name = options.name, .order = options.order, .importance = options.importance}, true);
 }
 

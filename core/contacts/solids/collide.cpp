@@ -40,11 +40,25 @@ void collide(World& world, const std::vector<Collider>& colliders, std::vector<S
         check(world, c, options.name);
         Placement(c.motion ? c.motion(0) : c.frame, options.name);
     }
-    const auto make = [colliders, surfaces, options]<class Real>(const World& made, KernelChoice) {
-        return std::make_unique<ColliderSet<Real>>(made, colliders, surfaces, options);
+    const auto recipeFor = [&](const std::vector<Collider>& solids,
+                               const std::vector<Surface>& terms) {
+        return recipeOf<Constraint>(
+            [solids, terms, options]<class Real>(const World& made, KernelChoice) {
+                return std::make_unique<ColliderSet<Real>>(made, solids, terms, options);
+            });
     };
+    Recipe<Constraint> recipe = recipeFor(colliders, surfaces);
+    std::vector<Collider> smooth = colliders, dull = colliders;
+    for (Collider& c : smooth) c.staticFriction = c.dynamicFriction = 0;
+    for (Collider& c : dull) c.restitution = 0;
+    for (const LesserSurfaces& form : lesserForms(surfaces)) {
+        if (form.without == "friction")
+            recipe.lesser.emplace_back(form.without, recipeFor(smooth, form.surfaces));
+        if (form.without == "restitution")
+            recipe.lesser.emplace_back(form.without, recipeFor(dull, form.surfaces));
+    }
     world.constrain(
-        recipeOf<Constraint>(make),
+        std::move(recipe),
         {.name = options.name, .order = options.order, .importance = options.importance}, true);
 }
 

@@ -1,0 +1,70 @@
+// The need ledger of a scene: for each ingredient what leaving it out saves, and which metrics it
+// moves by more than their tolerance.
+#pragma once
+
+#include "ingredients.h"
+#include "trial.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace plait {
+
+// What of a metric's figures may change. That is the part `tolerance` of the width of its band, or,
+// where it has no such, of what it goes through or comes to; nothing where the band has no width;
+// and never less than twice what chance changes (nudged()).
+struct MetricTolerance {
+    Figures base, allowed;
+
+    // The change of these figures, in what is allowed; infinite where nothing is.
+    double changeOf(const Figures& figures) const;
+};
+
+enum class Need {
+    needed,     // moves a metric beyond its tolerance
+    essential,  // does not, but the scene says that it would be another without
+    spare,      // does not, and costs at most 2 % of the work
+    needless    // does not, and costs more
+};
+const std::string& wordOf(Need need);
+
+struct LedgerRow {
+    std::string part, change, ending;
+    double work = 0, time = 0;  // part of that of the whole scene that is saved; below 0: lost
+    std::vector<double> changes = {};  // of each metric, in tolerances
+    Need need = Need::needed;
+
+    std::size_t mostMoved() const;  // place of the metric
+};
+
+struct Ledger {
+    std::string scene;
+    double tolerance;
+    Trial base = {};
+    std::vector<std::string> metrics = {};
+    std::vector<MetricTolerance> tolerances = {};
+    std::vector<LedgerRow> rows = {};
+    LedgerRow together = {};  // of all that can be left out at once: its change names them
+
+    // Metrics that no row moves: they tell nothing.
+    std::vector<std::string> idleMetrics() const;
+    // What a scene must not have, a line each: needless ingredients, idle metrics.
+    std::vector<std::string> complaints() const;
+};
+
+struct LedgerOptions {
+    double tolerance = 0.05;
+    int jobs = 1;
+    bool quiet = false;
+};
+
+// Finished trials are kept in `folder`, and are not run again. Throws Interrupted.
+Ledger ledgerOf(const Run& run, const LedgerOptions& options, const std::filesystem::path& folder);
+
+// Into `folder`: ledger.csv, chart.svg, chart.png and index.html. Returns what is printed.
+std::string writeLedger(const Ledger& ledger, const std::filesystem::path& folder,
+                        const std::string& command);
+std::string csvOf(const Ledger& ledger);
+
+}  // namespace plait
