@@ -133,7 +133,7 @@ TEST_CASE("trampoline: it throws back, and never more than fell on it", "[contac
 }
 
 TEST_CASE("layered sheets: each lies its thickness above the one below",
-          "[contacts][scenes][figures]") {
+          "[contacts][scenes][figures][CC8][FX29]") {
     const Scene scene = sceneWith("layered-sheets", "shock", 4);
     const Points x = holdToBands(scene, 24);
     // Of the middle, on the ball's top.

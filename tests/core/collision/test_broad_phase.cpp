@@ -213,7 +213,7 @@ Pairs meetings(const Soup& s) {
 
 }  // namespace
 
-TEST_CASE("broad phase: bounds hold what is swept, and little more [BP5]", "[broadphase]") {
+TEST_CASE("broad phase: bounds hold what is swept, and little more", "[broadphase][BP5]") {
     holdBounds<6>();
     holdBounds<14>();
     holdBounds<18>();
@@ -222,7 +222,7 @@ TEST_CASE("broad phase: bounds hold what is swept, and little more [BP5]", "[bro
     holdBounds<18>();
 }
 
-TEST_CASE("broad phase: tree and grid find the pairs of brute force [BP1][BP3]", "[broadphase]") {
+TEST_CASE("broad phase: tree and grid find the pairs of brute force", "[broadphase][BP1][BP3]") {
     for (const Soup& s : soups(2000)) compareAll(s);
     for (int n = 0; n < 24; ++n)
         compare<14>(soup("few", n, 0.4, 0.1, 0.01, [](Random& r) { return r.point(1); }));
@@ -243,8 +243,7 @@ TEST_CASE("broad phase: what is not a place overlaps everything", "[broadphase]"
     }
 }
 
-TEST_CASE("broad phase: a refitted tree and a grid built again know new places [BP4]",
-          "[broadphase]") {
+TEST_CASE("broad phase: a refitted tree and a grid built again know new places", "[broadphase]") {
     const auto all = soups(800);
     Workers workers(2);
     Candidates found;

@@ -166,7 +166,8 @@ std::string nameOf() {
 
 }  // namespace
 
-TEMPLATE_LIST_TEST_CASE("kinds: the gradient is that of finite differences", "[kinds]", AllKinds) {
+TEMPLATE_LIST_TEST_CASE("kinds: the gradient is that of finite differences", "[kinds][IN11]",
+                        AllKinds) {
     Random random(1);
     double worst = 0;
     for (int trial = 0; trial < 500; ++trial) {
@@ -193,7 +194,8 @@ TEMPLATE_LIST_TEST_CASE("kinds: the gradient is that of finite differences", "[k
     REQUIRE(report("gradient of " + nameOf<TestType>(), worst, 1e-7));
 }
 
-TEMPLATE_LIST_TEST_CASE("kinds: translation and rotation leave C alone", "[kinds]", FreeKinds) {
+TEMPLATE_LIST_TEST_CASE("kinds: translation and rotation leave C alone", "[kinds][IN11]",
+                        FreeKinds) {
     Random random(2);
     double worst = 0;
     for (int trial = 0; trial < 500; ++trial) {
@@ -255,13 +257,13 @@ void checkMomentum(double bound) {
 
 }  // namespace
 
-TEMPLATE_LIST_TEST_CASE("kinds: projections keep momentum", "[kinds]", FreeKinds) {
+TEMPLATE_LIST_TEST_CASE("kinds: projections keep momentum", "[kinds][IN7]", FreeKinds) {
     checkMomentum<TestType, double>(1e-12);
     checkMomentum<TestType, float>(1e-6);
 }
 
-TEMPLATE_LIST_TEST_CASE("kinds: repeated projection ends at C = 0 or on its free side", "[kinds]",
-                        AllKinds) {
+TEMPLATE_LIST_TEST_CASE("kinds: repeated projection ends at C = 0 or on its free side",
+                        "[kinds][IN7][DC2][DC3]", AllKinds) {
     Random random(5);
     Sample<TestType, double> sample(random, 50, 0);
     auto set = sample.set();
@@ -355,8 +357,8 @@ TEMPLATE_LIST_TEST_CASE("kinds: every lane width and instruction set gives the s
     }
 }
 
-// Coincident, collinear, coplanar, folded, tiny, huge and pinned, in all mixtures [DC6].
-TEMPLATE_LIST_TEST_CASE("kinds: degenerate input stays finite", "[kinds]", AllKinds) {
+// Coincident, collinear, coplanar, folded, tiny, huge and pinned, in all mixtures.
+TEMPLATE_LIST_TEST_CASE("kinds: degenerate input stays finite", "[kinds][DC6]", AllKinds) {
     const auto check = []<class Real>(Real) {
         Random random(8);
         for (const double size : {0.0, 1e-18, 1e-6, 1.0, 1e6}) {
@@ -384,7 +386,7 @@ TEMPLATE_LIST_TEST_CASE("kinds: degenerate input stays finite", "[kinds]", AllKi
     check(0.0);
 }
 
-TEST_CASE("kinds: bend is finite and signed from flat to fully folded", "[kinds]") {
+TEST_CASE("kinds: bend is finite and signed from flat to fully folded", "[kinds][DC6]") {
     const auto angleAt = [](double fold) {  // second triangle turned about the edge by `fold`
         const Points<Bend> x{
             {{0, 0, 0}, {0, 1, 0}, {-1, 0.5, 0}, {std::cos(fold), 0.5, std::sin(fold)}}};
@@ -417,7 +419,7 @@ TEST_CASE("kinds: a link buckles where compression is slack and holds where it i
     }
 }
 
-TEST_CASE("kinds: contacts push and never pull", "[kinds]") {
+TEST_CASE("kinds: contacts push and never pull", "[kinds][CC1]") {
     Rows<PlaneContact> rows = restRows<PlaneContact>({0, 1}, std::vector<Vec<double>>(2));
     ConstraintSet<PlaneContact, double> set(rows, 2, bestKernels());
     std::vector<Particle<double>> p{

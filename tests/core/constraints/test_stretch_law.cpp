@@ -57,7 +57,8 @@ double relativeError(double measured, double expected) {
 
 }  // namespace
 
-TEST_CASE("the one-sweep stretch law holds in sequence and in two colours [A1]", "[statics][law]") {
+TEST_CASE("the one-sweep stretch law holds in sequence and in two colours [A1]",
+          "[statics][law][SC13]") {
     for (const int n : {10, 20, 50}) {
         const double all = n * n;
         const struct {
@@ -74,7 +75,7 @@ TEST_CASE("the one-sweep stretch law holds in sequence and in two colours [A1]",
     }
 }
 
-TEST_CASE("sweeps divide the stretch, substeps divide it squared [A1]", "[statics][law]") {
+TEST_CASE("sweeps divide the stretch, substeps divide it squared [A1]", "[statics][law][SC13]") {
     for (const auto& [n, sweeps] : {std::pair{10, 2}, {20, 2}, {20, 4}, {50, 5}, {50, 10}})
         for (const Order order : {Order::topDown, Order::lowerFirst}) {
             const double one = extension({.order = order, .links = n});
