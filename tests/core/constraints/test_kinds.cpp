@@ -194,6 +194,40 @@ TEMPLATE_LIST_TEST_CASE("kinds: the gradient is that of finite differences", "[k
     REQUIRE(report("gradient of " + nameOf<TestType>(), worst, 1e-7));
 }
 
+TEMPLATE_LIST_TEST_CASE("kinds: the gradient is that of automatic differentiation", "[kinds][IN11]",
+                        AllKinds) {
+    using D = Dual<double>;
+    Random random(21);
+    double worst = 0;
+    for (int trial = 0; trial < 500; ++trial) {
+        const auto rest = randomPoints<TestType>(random);
+        const auto row = TestType::rest(rest);
+        Points<TestType> x = rest, g;
+        for (auto& p : x) p += random.point(0.3);
+        evaluateAt<TestType>(row, x, g);
+        const auto dualRow = eachAs<typename TestType::template Row<D>,
+                                    typename TestType::template Row<double>, D, double>(row);
+        Vec<double> origin = x[0];
+        if constexpr (anchored<TestType>) origin = TestType::origin(row);
+        for (int a = 0; a < TestType::arity; ++a) {
+            // The first vertex is where the others are measured from.
+            if (a == 0 && !anchored<TestType>) continue;
+            for (int axis = 0; axis < 3; ++axis) {
+                Stencil<Vec<D>, TestType::arity> local, unused;
+                for (int b = 0; b < TestType::arity; ++b) {
+                    const Vec<double> p = x[b] - origin;
+                    local[b] = {D(p.x, a == b && axis == 0), D(p.y, a == b && axis == 1),
+                                D(p.z, a == b && axis == 2)};
+                }
+                const double slope = TestType::evaluate(dualRow, local, unused).slope;
+                const double ours = axis == 0 ? g[a].x : axis == 1 ? g[a].y : g[a].z;
+                worst = std::max(worst, std::fabs(slope - ours) / (1 + std::fabs(slope)));
+            }
+        }
+    }
+    REQUIRE(report("gradient of " + nameOf<TestType>() + ", differentiated", worst, 1e-10));
+}
+
 TEMPLATE_LIST_TEST_CASE("kinds: translation and rotation leave C alone", "[kinds][IN11]",
                         FreeKinds) {
     Random random(2);

@@ -113,6 +113,34 @@ TEST_CASE("symplectic: the modified energy is constant, and bounds the plain one
     }
 }
 
+// A step is linear: its columns from three states, none of them at rest in the middle.
+TEST_CASE("symplectic: a step keeps areas, and a million of them the orbit", "[springs][IN4]") {
+    const auto step = [](double h, double x, double v) {
+        World world = unitSpring();
+        world.start[0].x = x;
+        world.velocity[0].x = v;
+        Solver<double> solver(world, steppingBy(h, Method::symplectic));
+        solver.frame();
+        return phaseOf(solver);
+    };
+    for (const double h : {0.01, 0.5, 1.0, 1.9, 3.0}) {
+        const Phase one = step(h, 1, 0), both = step(h, 1, 1);
+        const double determinant = one.x * (both.v - one.v) - (both.x - one.x) * one.v;
+        CHECK(report("determinant less 1, h = " + std::to_string(h), std::fabs(determinant - 1),
+                     1e-15 * std::max(1.0, h * h)));
+    }
+    constexpr double h = 1.9;
+    Solver<double> solver(unitSpring(), steppingBy(h, Method::symplectic, 100));
+    double most = 0;
+    for (int frame = 0; frame < 10000; ++frame) {
+        solver.frame();
+        const Phase z = phaseOf(solver);
+        most = std::max(most, (z.x * z.x + z.v * z.v) / 2);
+    }
+    CHECK(report("energy over a million steps, of the most it may be", most * (1 - h / 2) / 0.5,
+                 1 + 1e-9));
+}
+
 TEST_CASE("symplectic: it explodes above h = 2 and not below", "[springs][IN6]") {
     double calm = 1.9, wild = 2.1;
     REQUIRE(!explodes(calm));
