@@ -76,9 +76,9 @@ TEST_CASE("folds: what meets as balls is stiff to fold, the more the wider they 
         }
         const Range thread = world.add({chain({.links = links}).complex, at}, {.density = 0.01});
         // In the end as far apart as their balls let them be.
-        const double apart = std::max(0.02, 0.21 * width) * l, wide = at.back().x - at.front().x;
+        const double apart = std::max(0.02, 0.42 * width) * l, wide = at.back().x - at.front().x;
         world.pin({0, links}, [part = apart / wide](const Vec<double>& x, double t) {
-            return Vec<double>{(1 - (1 - 2 * part) * std::min(t, 1.0)) * x.x, x.y, x.z};
+            return Vec<double>{(1 - (1 - part) * std::min(t, 1.0)) * x.x, x.y, x.z};
         });
         world.act<Gravity>(GravityOptions{});
         world.constrain(linksOf(world), {.name = "links"});
@@ -107,7 +107,7 @@ TEST_CASE("folds: what meets as balls is stiff to fold, the more the wider they 
     const double free = radiusOf(0);
     note("least radius of a fold without contact, links", free);
     double last = free;
-    for (const double width : {1.5, 3.0, 3.5, 3.8, 4.0, 4.2, 4.5}) {
+    for (const double width : {1.5, 3.0, 4.5}) {
         const double r = 0.2 * width, rule = 1 / (2 * std::sqrt(1 - r * r));
         const double found = radiusOf(width);
         note("balls of " + std::to_string(r) + " links: least radius, links", found);
