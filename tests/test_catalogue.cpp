@@ -145,3 +145,13 @@ TEST_CASE("catalogue: what is no row, or stands elsewhere, is refused; what is h
               }) == 1);
     }
 }
+
+TEST_CASE("catalogue: README says which numbers have no unit in the world", "[ledger][UN9]") {
+    std::ifstream file(fs::path(PLAIT_ROOT) / "README.md");
+    std::string text;
+    for (std::string word; file >> word;) text += word + ' ';
+    for (const char* words :
+         {"the `nucleus` method knows no stiffness, only importance",
+          "Friction and restitution are numbers of a pair", "`stickiness` is newtons a contact"})
+        CHECK(text.find(words) != std::string::npos);
+}

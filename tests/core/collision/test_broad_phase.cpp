@@ -346,3 +346,19 @@ TEST_CASE("broad phase: bounds that move", "[broadphase]") {
         CHECK(std::ranges::includes(pairs(), meetings(s)));
     }
 }
+
+// S 7 found k-DOPs best: what they cost in directions they save in pairs that do not meet.
+TEST_CASE("broad phase: more directions leave fewer pairs, and never one that meets",
+          "[broadphase][BP2]") {
+    for (const Soup& s : soups(800)) {
+        const Pairs pairs[]{treePairs<6>(s), treePairs<14>(s), treePairs<18>(s), treePairs<26>(s)};
+        test::note(s.name + ": pairs of boxes, a primitive", double(pairs[0].size()) / s.count());
+        test::note("    of 14, 18 and 26 directions, of these",
+                   double(pairs[1].size()) / double(pairs[0].size()));
+        test::note("", double(pairs[2].size()) / double(pairs[0].size()));
+        test::note("", double(pairs[3].size()) / double(pairs[0].size()));
+        for (int i : {1, 2, 3}) CHECK(std::ranges::includes(pairs[0], pairs[i]));
+        for (int i : {1, 2}) CHECK(std::ranges::includes(pairs[i], pairs[3]));
+        CHECK(pairs[0].size() >= gridPairs(s).size());
+    }
+}
