@@ -1,6 +1,7 @@
 // The rooms of the house: arrows between them run one way. Their order is the table's in
 // core/README.md.
 #include "tests/catch.h"
+#include "tests/report.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -131,4 +132,34 @@ TEST_CASE("core, scenes, render, demos, tests: each knows those before it only",
             CHECK(fs::exists(to));
             CHECK(place(to) <= place(from));
         }
+}
+
+// Effects are sums of what core has: none brings a constraint or a force of its own.
+TEST_CASE("scenes are made of core's building blocks alone", "[rooms][AR3]") {
+    const std::regex own("public +(plait::)?(Constraint|ContactConstraint|Force|WholeStep)<");
+    int files = 0;
+    for (const fs::path& file : sourcesIn(root / "scenes")) {
+        ++files;
+        for (const std::string& line : linesOf(file)) {
+            INFO(file << ": " << line);
+            CHECK_FALSE(std::regex_search(line, own));
+        }
+    }
+    CHECK(files > 30);
+}
+
+// Simple code has fewer bugs. What needs more says so here.
+TEST_CASE("core keeps to its size", "[rooms][AR6]") {
+    std::size_t all = 0, longest = 0;
+    for (const fs::path& file : sourcesIn(root / "core")) {
+        const std::size_t lines = linesOf(file).size();
+        INFO(file);
+        CHECK(lines <= 350);
+        all += lines;
+        longest = std::max(longest, lines);
+    }
+    plait::test::note("lines of core", static_cast<double>(all));
+    plait::test::note("of its longest file", static_cast<double>(longest));
+    CHECK(all > 10'000);
+    CHECK(all < 40'000);
 }

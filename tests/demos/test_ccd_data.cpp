@@ -80,7 +80,7 @@ TEST_CASE("query sets that cannot be read are named", "[ccd]") {
     }
 }
 
-TEST_CASE("query sets: none missed, none late, nearly none invented [CC5][CC6]", "[ccd]") {
+TEST_CASE("query sets: none missed, none late, nearly none invented", "[ccd][CC5][CC6]") {
     eachTable([](const std::string& name, const std::vector<CcdQuery>& queries) {
         Count thin, thick, close;
         int apart = 0, inventedApart = 0;
@@ -110,7 +110,7 @@ TEST_CASE("query sets: none missed, none late, nearly none invented [CC5][CC6]",
     });
 }
 
-TEST_CASE("query sets rewritten: ends, corners, edges swapped, time reversed [CC5][CC6]", "[ccd]") {
+TEST_CASE("query sets rewritten: ends, corners, edges swapped, time reversed", "[ccd][CC5][CC6]") {
     eachTable([](const std::string& name, const std::vector<CcdQuery>& queries) {
         int asked = 0, missed = 0, late = 0, invented = 0, originals = 0, missedThick = 0;
         for (const CcdQuery& q : queries) {
@@ -135,7 +135,7 @@ TEST_CASE("query sets rewritten: ends, corners, edges swapped, time reversed [CC
 }
 
 // Rows hold no truth for these: the distance is sampled instead.
-TEST_CASE("query sets: their ends as points, and as points and edges [CC6]", "[ccd]") {
+TEST_CASE("query sets: their ends as points, and as points and edges", "[ccd][CC6]") {
     constexpr int samples = 257;
     eachTable([](const std::string& name, const std::vector<CcdQuery>& queries) {
         int missed = 0, late = 0, invented = 0, asked = 0;

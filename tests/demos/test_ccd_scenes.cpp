@@ -139,8 +139,8 @@ void holdGrid(const CcdScene& scene, Workers& workers) {
 
 }  // namespace
 
-TEST_CASE("every true pair of real frames is a candidate and told in time [BP1][BP3][CC5]",
-          "[broadphase][ccd]") {
+TEST_CASE("every true pair of real frames is a candidate and told in time",
+          "[broadphase][ccd][BP1][BP3][CC5]") {
     if (!test::haveCcdData()) return;
     Workers workers(2);
     for (const char* name : {"cloth-funnel", "rod-twist"}) {

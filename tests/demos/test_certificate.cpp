@@ -30,7 +30,8 @@ void checkIndependent(const std::string& kind) {
 
 }  // namespace
 
-TEST_CASE("certificate: these kinds are independent of how they are solved", "[certificate]") {
+TEST_CASE("certificate: these kinds are independent of how they are solved",
+          "[certificate][DC2][DC12]") {
     for (const std::string kind : {"attach", "stretch", "shear", "angle, of corners"})
         checkIndependent(kind);
 }

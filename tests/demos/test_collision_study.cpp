@@ -27,7 +27,7 @@ TEST_CASE("collision: on a line, ends change hands or are shared", "[collision]"
 
 // Alike and elastic, particles only hand on their ends: whatever the order of their meetings, in
 // the end these are sorted.
-TEST_CASE("collision: seven on a line end in order", "[collision]") {
+TEST_CASE("collision: seven on a line end in order", "[collision][CC13][FX34]") {
     std::vector<LineParticle> particles;
     std::vector<double> ends;
     for (int i = 0; i < 7; ++i) {
@@ -43,8 +43,8 @@ TEST_CASE("collision: seven on a line end in order", "[collision]") {
     CHECK(stages.size() < 100);
 }
 
-TEST_CASE("collision: bullets are found on their way, and missed where they end [CC2]",
-          "[collision]") {
+TEST_CASE("collision: bullets are found on their way, and missed where they end",
+          "[collision][CC2]") {
     for (const double length : {1.0, 30.0, 1e3, 1e5})
         CHECK(foundBullets(length, 500).onTheWay == 1);
     CHECK(foundBullets(1, 500).atEnd == 1);
@@ -53,9 +53,8 @@ TEST_CASE("collision: bullets are found on their way, and missed where they end 
     CHECK(foundBullets(1e5, 500).atEnd < 0.01);
 }
 
-TEST_CASE(
-    "collision: a sheet holds a ball that is looked for on its way, and only that [CC2][FX33]",
-    "[collision]") {
+TEST_CASE("collision: a sheet holds a ball that is looked for on its way, and only that",
+          "[collision][CC2][FX33]") {
     const auto leastClearance = [](const char* detection) {
         const SceneEntry& entry = findScene("bullet");
         Knobs knobs = Knobs::defaults(entry.knobs, Quality::preview);

@@ -40,7 +40,7 @@ bool same(const std::vector<Vec<double>>& a, const std::vector<Vec<double>>& b) 
 
 }  // namespace
 
-TEST_CASE("OBJ and PLY sequences hold the run", "[program]") {
+TEST_CASE("OBJ and PLY sequences hold the run", "[program][SH7]") {
     for (const std::string format : {"obj", "ply"}) {
         const TemporaryFolder folder;
         exportTo(folder, format);
@@ -113,7 +113,7 @@ TEST_CASE("an exported run moves a world again", "[program][sequence]") {
     }
 }
 
-TEST_CASE("a run that is done is exported without being simulated again", "[program]") {
+TEST_CASE("a run that is done is exported without being simulated again", "[program][CA10]") {
     const TemporaryFolder folder;
     exportTo(folder, "obj");
     const auto written = std::filesystem::last_write_time(folder / "run/cache/checkpoint");

@@ -47,7 +47,7 @@ void checkAlike(const TemporaryFolder& folder, const std::string& a, const std::
 }  // namespace
 
 TEST_CASE("a film: pictures, clip and contact sheet, again from the cache, and compared",
-          "[program]") {
+          "[program][CA10]") {
     const TemporaryFolder folder;
     auto words = film(folder, "run");
     words.erase(std::find(words.begin(), words.end(), "--quiet"));

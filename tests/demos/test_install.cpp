@@ -4,7 +4,10 @@
 #include "tests/report.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <sstream>
+#include <string>
 
 using namespace plait::test;
 
@@ -20,7 +23,7 @@ void shell(const TemporaryFolder& folder, const std::string& line) {
 
 }  // namespace
 
-TEST_CASE("programs of their own simulate with the installed package", "[program][install]") {
+TEST_CASE("programs of their own simulate with the installed package", "[program][install][AR2]") {
     const TemporaryFolder folder;
     const std::string package = (folder / "moved here").string();
     const std::string built = (folder / "built").string();
@@ -42,6 +45,17 @@ TEST_CASE("programs of their own simulate with the installed package", "[program
         shell(folder, built + "/" + example);
         return std::stod(contents(folder / "log"));
     };
+    // The core wants nothing but the language's own libraries.
+    shell(folder, "ldd " + built + "/cloth");
+    std::istringstream needed(contents(folder / "log"));
+    for (std::string line; std::getline(needed, line);) {
+        const std::string name = line.substr(line.find_first_not_of("\t "));
+        CAPTURE(name);
+        CHECK(std::ranges::any_of(std::array{"linux-vdso", "libc.", "libm.", "libstdc++.",
+                                             "libgcc_s.", "libpthread.", "libc++", "/lib"},
+                                  [&](const char* own) { return name.starts_with(own); }));
+    }
+
     // It hangs straight below its pins, whose links hardly stretch.
     const double cloth = lowestOf("cloth");
     note("lowest point of a cloth of 1 m, m", cloth);

@@ -13,7 +13,8 @@
 using namespace plait;
 using namespace plait::test;
 
-TEST_CASE("phase plane: explicit spirals out and implicit in, by the formula", "[phase]") {
+TEST_CASE("phase plane: explicit spirals out and implicit in, by the formula",
+          "[phase][IN2][IN3][FX35]") {
     double out = 0, in = 0;
     for (const double h : {0.01, 0.1, 0.5}) {
         out = std::max(out, spiralError(springOrbit(Method::explicitEuler, h, 189), h, 1));
@@ -27,7 +28,7 @@ TEST_CASE("phase plane: explicit spirals out and implicit in, by the formula", "
     CHECK(spiralError({{1, 0}, {1, -0.5}}, 0.5, 1) < 1e-15);
 }
 
-TEST_CASE("phase plane: n-gons close, and not before", "[phase]") {
+TEST_CASE("phase plane: n-gons close, and not before", "[phase][IN5][FX35]") {
     double worst = 0;
     for (int n = 3; n <= 24; ++n) {
         const auto orbit = springOrbit(Method::symplectic, polygonStep(n), n);
@@ -44,7 +45,7 @@ TEST_CASE("phase plane: n-gons close, and not before", "[phase]") {
     CHECK(report("closure of the n-gons, n = 3 to 24", worst, 1e-12));
 }
 
-TEST_CASE("phase plane: symplectic orbits stay on their ellipses", "[phase]") {
+TEST_CASE("phase plane: symplectic orbits stay on their ellipses", "[phase][IN5]") {
     double velocity = 0, position = 0;
     for (const double h : {0.5, 1.0, std::numbers::sqrt2, 1.9}) {
         velocity = std::max(velocity, energyDrift(springOrbit(Method::symplectic, h, 20000), h));
@@ -59,7 +60,7 @@ TEST_CASE("phase plane: symplectic orbits stay on their ellipses", "[phase]") {
 
 // A step turns by 2 asin(h/2) of the ellipse made round, so that its chord comes to cos asin(h/2)
 // of the radius in the middle: what steps of 1/2 s fill lies between two ellipses.
-TEST_CASE("phase plane: chords touch the inner ellipse", "[phase]") {
+TEST_CASE("phase plane: chords touch the inner ellipse", "[phase][IN5]") {
     const double h = 0.5;
     double worst = 0;
     const auto orbit = springOrbit(Method::symplectic, h, 1000);

@@ -55,7 +55,7 @@ void sleepFor(double seconds) {
 
 }  // namespace
 
-TEST_CASE("a checkpoint goes on with the same bits, in every scene", "[program][figures]") {
+TEST_CASE("a checkpoint goes on with the same bits, in every scene", "[program][figures][CA9]") {
     for (const SceneEntry& entry : smallScenes())
         for (const char* precision : {"float", "double"}) {
             INFO(entry.name << ", " << precision);
@@ -172,7 +172,7 @@ TEST_CASE("a folder of the user's own is never touched", "[program]") {
     CHECK(contents(folder / "mine/cache/letter") == "dear");
 }
 
-TEST_CASE("killed at any moment, a run goes on with the same bits", "[program]") {
+TEST_CASE("killed at any moment, a run goes on with the same bits", "[program][CA9]") {
     const TemporaryFolder folder;
     REQUIRE(plait::test::plait(folder, longRun(folder, "straight")).status == 0);
     Random random(7);

@@ -78,7 +78,7 @@ TEST_CASE("stability: what a cell is", "[stability]") {
     CHECK(judge.outcome() == plait::Outcome::exploded);  // once is enough
 }
 
-TEST_CASE("stability: the unit spring explodes beyond h = 2 [IN6]", "[stability]") {
+TEST_CASE("stability: the unit spring explodes beyond h = 2", "[stability][IN6]") {
     double good = 1, bad = 3;
     while (bad - good > 1e-7) {
         const double h = (good + bad) / 2;

@@ -96,7 +96,7 @@ constexpr auto interleaved = ScheduleMode::interleaved, sequential = ScheduleMod
 }  // namespace
 
 // S figures 10 and 12; exact, without friction: all links alike, 0.2.
-TEST_CASE("interleaving spares the band its ends [SC6, FX27]", "[interleaving][band]") {
+TEST_CASE("interleaving spares the band its ends", "[interleaving][band][SC6][FX27]") {
     for (const Method method : {Method::nucleus, Method::xpbd}) {
         const Profile cured = settle({.mode = interleaved, .method = method});
         const Profile failed = settle({.mode = sequential, .method = method});
@@ -131,7 +131,7 @@ TEST_CASE("stretch after contact pulls the band into the pegs", "[interleaving][
 // What is over at the pegs is about as 1 to the number of contact evaluations; the rule of thumb of
 // one for 8 to 10 stretches (M 2.4, 9) is no knee. With a single one there is nothing to
 // interleave.
-TEST_CASE("the more contact evaluations, the more even the band [SC12]", "[interleaving][band]") {
+TEST_CASE("the more contact evaluations, the more even the band", "[interleaving][band][SC12]") {
     double last = 1e30;
     for (const int contact : {1, 2, 3, 6, 13, 26}) {
         const Profile p = settle({.contact = contact});

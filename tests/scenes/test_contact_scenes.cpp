@@ -133,7 +133,7 @@ TEST_CASE("trampoline: it throws back, and never more than fell on it", "[contac
 }
 
 TEST_CASE("layered sheets: each lies its thickness above the one below",
-          "[contacts][scenes][figures]") {
+          "[contacts][scenes][figures][CC8][FX29]") {
     const Scene scene = sceneWith("layered-sheets", "shock", 4);
     const Points x = holdToBands(scene, 24);
     // Of the middle, on the ball's top.
@@ -221,4 +221,31 @@ TEST_CASE("sheet on a sphere: in few substeps lengths, folds and the ball all ho
 
 TEST_CASE("sheet on a sphere: 128 x 128 in few substeps", "[contacts][colliders][scenes][long]") {
     holdAsItLands(GENERATE("solid", "mesh"), Quality::final);
+}
+
+// Tins and balls of particles that move as one, knocked about: how far two of a body get from as
+// far apart as they were.
+TEST_CASE("bodies of particles keep their shape as they are thrown and slide",
+          "[contacts][pieces][scenes][FX22]") {
+    for (const char* const name : {"tablecloth", "trampoline"}) {
+        const Scene scene = build(findScene(name), Quality::draft);
+        REQUIRE(!scene.world.pieces.empty());
+        Solver<float> solver(scene.world, scene.options);
+        double worst = 0, way = 0;
+        for (int frame = 0; frame < 30; ++frame) {
+            solver.frame();
+            const Points x = solver.positions();
+            for (const Range body : scene.world.pieces)
+                for (int a = body.first; a < body.last; ++a) {
+                    way = std::max(way, length(x[a] - scene.world.start[a]));
+                    for (int b = body.first; b < a; ++b) {
+                        const double rest = length(scene.world.rest[a] - scene.world.rest[b]);
+                        worst = std::max(worst, std::fabs(length(x[a] - x[b]) - rest) / rest);
+                    }
+                }
+        }
+        note(std::string(name) + ", how far bodies got, m", way);
+        CHECK(way > 0.03);
+        CHECK(report(std::string(name) + ", distances in a body, off", worst, 1e-4));
+    }
 }

@@ -55,7 +55,7 @@ TEST_CASE("dress: while it falls nothing passes through anything", "[dress][figu
 // A sixth of the substeps. Where contacts look at where these end alone, layers that meet have gone
 // through each other, and stay so for the rest of the dance.
 TEST_CASE("dress: paths hold in few substeps, and where they end is not enough",
-          "[dress][figures]") {
+          "[dress][figures][FX2]") {
     const auto failed = [](const std::string& detection) {
         const SceneEntry& entry = findScene("dress");
         Knobs knobs = Knobs::defaults(entry.knobs, Quality::draft);
@@ -72,7 +72,7 @@ TEST_CASE("dress: paths hold in few substeps, and where they end is not enough",
     CHECK(failed("end") > 100);
 }
 
-TEST_CASE("dress: it keeps its bands through the dance", "[dress][long]") {
+TEST_CASE("dress: it keeps its bands through the dance", "[dress][long][FX2]") {
     const Scene scene = build(findScene("dress"), Quality::draft);
     const int lead = static_cast<int>(scene.lead * 24);
     const std::vector<double> most = worst(scene, lead, static_cast<int>(scene.seconds * 24));

@@ -88,7 +88,7 @@ TEST_CASE("elbow: as its sleeve falls nothing passes through anything", "[elbow]
         CHECK(greatest(scene, rows, name, 0) == 0);
 }
 
-TEST_CASE("elbow: cloth is pinched, keeps its bands and comes free", "[elbow][long]") {
+TEST_CASE("elbow: cloth is pinched, keeps its bands and comes free", "[elbow][long][FX36]") {
     for (const double degrees : {120.0, 145.0, 158.0}) {
         const Scene scene = elbowBent(degrees);
         const auto rows = filmed(scene, 72);

@@ -136,7 +136,7 @@ double energyOf(const Solver<float>& solver, const World& world) {
 
 }  // namespace
 
-TEST_CASE("flag: its threads keep their length", "[flag][figures]") {
+TEST_CASE("flag: its threads keep their length", "[flag][figures][FX1]") {
     requireBands(flagOf(Quality::draft), 4, "draft");
 }
 
@@ -216,7 +216,7 @@ TEST_CASE("flag: it keeps its bands to the end", "[flag][long]") {
                  "final without self-collision");
 }
 
-TEST_CASE("flag: hangs still without wind", "[flag][long]") {
+TEST_CASE("flag: hangs still without wind", "[flag][long][AR5][FX1]") {
     const Scene scene = flagOf(Quality::draft, {{"wind", 0}});
     Solver<float> solver(scene.world, scene.options);
     while (solver.time() < 60) solver.frame();
@@ -225,7 +225,7 @@ TEST_CASE("flag: hangs still without wind", "[flag][long]") {
     REQUIRE(report("speed after a minute, m/s", fastest, 0.05));
 }
 
-TEST_CASE("flag: flaps faster in stronger wind", "[flag][long]") {
+TEST_CASE("flag: flaps faster in stronger wind", "[flag][long][AR5][FX1]") {
     double last = 0, first = 0;
     for (const double wind : {4.0, 5.7, 8.0, 11.3, 16.0}) {
         const Flapping flapping =

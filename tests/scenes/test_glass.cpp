@@ -11,8 +11,8 @@
 using namespace plait;
 using namespace plait::test;
 
-TEST_CASE("glass: nothing breaks before the ball comes, and then it goes through [FX3]",
-          "[welds][scenes]") {
+TEST_CASE("glass: nothing breaks before the ball comes, and then it goes through",
+          "[welds][scenes][FX3]") {
     const Scene scene = build(findScene("glass"), Quality::draft);
     const World& world = scene.world;
     Solver<float> solver(world, scene.options);

@@ -13,7 +13,7 @@ using namespace plait;
 using namespace plait::test;
 
 // 86 turns, 68 mm, 2.5 x 0.62 mm of steel: as others have weighed and timed it.
-TEST_CASE("slinky: its wire alone says what it weighs and how it swings [FX4]", "[rods]") {
+TEST_CASE("slinky: its wire alone says what it weighs and how it swings", "[rods][FX4]") {
     const Slinky slinky;
     CHECK(report("mass off 223.5 g", std::fabs(slinky.mass() / 0.2235 - 1), 2e-3));
     CHECK(report("stiffness off 0.621 N/m", std::fabs(slinky.stiffness() / 0.621 - 1), 5e-3));
@@ -22,7 +22,7 @@ TEST_CASE("slinky: its wire alone says what it weighs and how it swings [FX4]", 
                  std::fabs(slinky.collapse() / slinky.period() * 4 * std::sqrt(3.0) - 1), 1e-12));
 }
 
-TEST_CASE("slinky: hung, let go, its last turn hangs in the air [FX4]", "[rods][figures]") {
+TEST_CASE("slinky: hung, let go, its last turn hangs in the air", "[rods][figures][FX4]") {
     const Scene scene = build(findScene("levitation"));
     const Slinky slinky;
     const double extension = -scene.world.start[0].y - slinky.turns * slinky.wire.across;
@@ -46,7 +46,7 @@ TEST_CASE("slinky: hung, let go, its last turn hangs in the air [FX4]", "[rods][
 }
 
 // An end lands where the lower of its turns first lies within 4 mm of a tread below the last one.
-TEST_CASE("slinky: it walks down the stairs by itself [FX4]", "[rods][long]") {
+TEST_CASE("slinky: it walks down the stairs by itself", "[rods][long][FX4]") {
     const Scene scene = build(findScene("slinky"));
     const Slinky slinky;
     constexpr double rise = 0.15, tread = 0.14;

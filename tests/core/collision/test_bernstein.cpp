@@ -81,12 +81,12 @@ void holdOperations() {
 
 }  // namespace
 
-TEST_CASE("polynomials are within their bounds of those meant [CC7]", "[roots][ccd]") {
+TEST_CASE("polynomials are within their bounds of those meant", "[roots][ccd][CC7]") {
     holdOperations<double>();
     holdOperations<DoubleDouble>();
 }
 
-TEST_CASE("differences and squares of distances are within their bounds [CC6]", "[ccd]") {
+TEST_CASE("differences and squares of distances are within their bounds", "[ccd][CC6]") {
     Random random(7);
     double difference = 0, square = 0;
     for (int i = 0; i < 3000; ++i) {

@@ -106,7 +106,7 @@ void requireHingesByBruteForce(const SimplicialComplex& complex) {
 
 }  // namespace
 
-TEST_CASE("Euler characteristics are those of the shapes") {
+TEST_CASE("Euler characteristics are those of the shapes", "[SH1]") {
     for (int n = 0; n <= 3; ++n)
         CHECK(sphere({.subdivisions = n}).complex.eulerCharacteristic() == 2);
     CHECK(torus(5, 7).eulerCharacteristic() == 0);
@@ -127,7 +127,7 @@ TEST_CASE("the torus is closed and oriented, the Moebius strip neither") {
     CHECK_FALSE(isConsistentlyOriented(moebius(5)));
 }
 
-TEST_CASE("signs are those of all permutations of up to four vertices") {
+TEST_CASE("signs are those of all permutations of up to four vertices", "[SH4]") {
     const auto check = [](Vertices order, auto build, int k) {
         std::ranges::sort(order);
         do {
@@ -162,7 +162,7 @@ TEST_CASE("a simplex given twice is one, and has no orientation when they disagr
     CHECK(both.triangle(0) == std::array{0, 1, 2});
 }
 
-TEST_CASE("given simplices keep their order, the closure follows sorted") {
+TEST_CASE("given simplices keep their order, the closure follows sorted", "[SH6]") {
     const SimplicialComplex complex(
         6, {.edges = {{5, 4}, {2, 1}}, .triangles = {{3, 2, 1}, {0, 1, 2}}, .tetrahedra = {}});
     std::vector<Vertices> edges;
@@ -178,7 +178,7 @@ TEST_CASE("given simplices keep their order, the closure follows sorted") {
     CHECK(complex.triangle(0) == std::array{1, 3, 2});
 }
 
-TEST_CASE("closure, parents, valences, boundaries and rings of random complexes hold") {
+TEST_CASE("closure, parents, valences, boundaries and rings of random complexes hold", "[SH5]") {
     std::mt19937 bits(20090);
     for (int run = 0; run < 300; ++run) {
         const int vertexCount = 6 + run % 7;
@@ -238,7 +238,7 @@ TEST_CASE("closure, parents, valences, boundaries and rings of random complexes 
     }
 }
 
-TEST_CASE("the boundary of a boundary is zero") {
+TEST_CASE("the boundary of a boundary is zero", "[SH5]") {
     std::mt19937 bits(5);
     int cancelled = 0;
     for (int run = 0; run < 300; ++run) {
@@ -276,7 +276,8 @@ TEST_CASE("face j lacks vertex j, and the boundary of an edge is its end less it
     CHECK(complex.faces(0, 0).empty());
 }
 
-TEST_CASE("mixed dimensions: a triangle, a dangling edge, a tetrahedron and a lone point") {
+TEST_CASE("mixed dimensions: a triangle, a dangling edge, a tetrahedron and a lone point",
+          "[SH2]") {
     const SimplicialComplex complex(
         9, {.edges = {{2, 3}}, .triangles = {{0, 1, 2}}, .tetrahedra = {{4, 5, 6, 7}}});
     CHECK(complex.count(0) == 9);

@@ -227,7 +227,7 @@ TEST_CASE("chain: equal links from end to end") {
     }
 }
 
-TEST_CASE("block: six tetrahedra a cell of equal volume that match across cells") {
+TEST_CASE("block: six tetrahedra a cell of equal volume that match across cells", "[SH6]") {
     const Shape shape =
         block({.columns = 3, .rows = 2, .layers = 4, .width = 3, .height = 4, .depth = 2});
     const auto& complex = shape.complex;

@@ -1,4 +1,4 @@
-// Pins, hard and soft, at rest and moving [AT25, DC19].
+// Pins, hard and soft, at rest and moving.
 #include "tests/catch.h"
 #include "tests/report.h"
 #include "tests/worlds.h"
@@ -72,7 +72,7 @@ double distanceFromChords(Pin pin) {
 
 }  // namespace
 
-TEST_CASE("a hard pin holds whatever hangs on it [AT25]", "[statics][attach]") {
+TEST_CASE("a hard pin holds whatever hangs on it", "[statics][attach][AT25]") {
     World world = plumbLine({.links = 5, .top = {0.1, 0.2, 0.3}, .down = {0.6, -0.8, 0}});
     world.constrain(linksOf(world), {.name = "stretch"});
     Solver<double> solver(world, settled);
@@ -89,8 +89,8 @@ TEST_CASE("a hard pin holds whatever hangs on it [AT25]", "[statics][attach]") {
 
 // Of the sets of a column the first is also the last: its constraints hold exactly when the others
 // are done. A pin that comes after the links gives way to what hangs on it, N masses by g h^2.
-TEST_CASE("a hard attachment holds a chain where it is evaluated first [AT25]",
-          "[statics][attach]") {
+TEST_CASE("a hard attachment holds a chain where it is evaluated first",
+          "[statics][attach][AT25]") {
     for (const int links : {1, 5, 20}) {
         const auto pinError = [&](int order) {
             World world = plumbLine({.links = links});
@@ -109,7 +109,7 @@ TEST_CASE("a hard attachment holds a chain where it is evaluated first [AT25]",
     }
 }
 
-TEST_CASE("a soft pin gives way by load times compliance [AT25]", "[statics][attach]") {
+TEST_CASE("a soft pin gives way by load times compliance", "[statics][attach][AT25]") {
     for (const int evaluations : {1, 5}) {
         double worst = 0;
         for (const double compliance : {1e-4, 1e-3, 1e-2})
@@ -129,8 +129,8 @@ TEST_CASE("a soft pin gives way by load times compliance [AT25]", "[statics][att
     }
 }
 
-TEST_CASE("a moving pin is where it should be at frame ends and goes straight between [AT25]",
-          "[statics][attach]") {
+TEST_CASE("a moving pin is where it should be at frame ends and goes straight between",
+          "[statics][attach][AT25][AT2][IN27]") {
     const Pin pins[] = {Pin::massless, Pin::attached};
     for (const Pin pin : pins) {
         const std::string name = pin == Pin::massless ? "moving pin, " : "moving hard attachment, ";
@@ -174,9 +174,9 @@ double jitter(double compliance, Sweeps sweeps, Integrator integrator) {
 
 }  // namespace
 
-// Vellum's advice, on Vellum's terms: second order, one sweep in one direction [DC19]. Palindromes
+// Vellum's advice, on Vellum's terms: second order, one sweep in one direction. Palindromes
 // need no advice.
-TEST_CASE("strong bending shakes hard pins loose, but not soft ones [DC19]", "[statics][attach]") {
+TEST_CASE("strong bending shakes hard pins loose, but not soft ones", "[statics][attach][DC19]") {
     for (const Integrator integrator : {Integrator::first, Integrator::bdf2})
         for (const Sweeps sweeps : {Sweeps::oneWay, Sweeps::palindrome}) {
             const bool second = integrator == Integrator::bdf2;

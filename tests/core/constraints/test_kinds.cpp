@@ -166,7 +166,8 @@ std::string nameOf() {
 
 }  // namespace
 
-TEMPLATE_LIST_TEST_CASE("kinds: the gradient is that of finite differences", "[kinds]", AllKinds) {
+TEMPLATE_LIST_TEST_CASE("kinds: the gradient is that of finite differences", "[kinds][IN11]",
+                        AllKinds) {
     Random random(1);
     double worst = 0;
     for (int trial = 0; trial < 500; ++trial) {
@@ -193,7 +194,42 @@ TEMPLATE_LIST_TEST_CASE("kinds: the gradient is that of finite differences", "[k
     REQUIRE(report("gradient of " + nameOf<TestType>(), worst, 1e-7));
 }
 
-TEMPLATE_LIST_TEST_CASE("kinds: translation and rotation leave C alone", "[kinds]", FreeKinds) {
+TEMPLATE_LIST_TEST_CASE("kinds: the gradient is that of automatic differentiation", "[kinds][IN11]",
+                        AllKinds) {
+    using D = Dual<double>;
+    Random random(21);
+    double worst = 0;
+    for (int trial = 0; trial < 500; ++trial) {
+        const auto rest = randomPoints<TestType>(random);
+        const auto row = TestType::rest(rest);
+        Points<TestType> x = rest, g;
+        for (auto& p : x) p += random.point(0.3);
+        evaluateAt<TestType>(row, x, g);
+        const auto dualRow = eachAs<typename TestType::template Row<D>,
+                                    typename TestType::template Row<double>, D, double>(row);
+        Vec<double> origin = x[0];
+        if constexpr (anchored<TestType>) origin = TestType::origin(row);
+        for (int a = 0; a < TestType::arity; ++a) {
+            // The first vertex is where the others are measured from.
+            if (a == 0 && !anchored<TestType>) continue;
+            for (int axis = 0; axis < 3; ++axis) {
+                Stencil<Vec<D>, TestType::arity> local, unused;
+                for (int b = 0; b < TestType::arity; ++b) {
+                    const Vec<double> p = x[b] - origin;
+                    local[b] = {D(p.x, a == b && axis == 0), D(p.y, a == b && axis == 1),
+                                D(p.z, a == b && axis == 2)};
+                }
+                const double slope = TestType::evaluate(dualRow, local, unused).slope;
+                const double ours = axis == 0 ? g[a].x : axis == 1 ? g[a].y : g[a].z;
+                worst = std::max(worst, std::fabs(slope - ours) / (1 + std::fabs(slope)));
+            }
+        }
+    }
+    REQUIRE(report("gradient of " + nameOf<TestType>() + ", differentiated", worst, 1e-10));
+}
+
+TEMPLATE_LIST_TEST_CASE("kinds: translation and rotation leave C alone", "[kinds][IN11]",
+                        FreeKinds) {
     Random random(2);
     double worst = 0;
     for (int trial = 0; trial < 500; ++trial) {
@@ -255,13 +291,13 @@ void checkMomentum(double bound) {
 
 }  // namespace
 
-TEMPLATE_LIST_TEST_CASE("kinds: projections keep momentum", "[kinds]", FreeKinds) {
+TEMPLATE_LIST_TEST_CASE("kinds: projections keep momentum", "[kinds][IN7]", FreeKinds) {
     checkMomentum<TestType, double>(1e-12);
     checkMomentum<TestType, float>(1e-6);
 }
 
-TEMPLATE_LIST_TEST_CASE("kinds: repeated projection ends at C = 0 or on its free side", "[kinds]",
-                        AllKinds) {
+TEMPLATE_LIST_TEST_CASE("kinds: repeated projection ends at C = 0 or on its free side",
+                        "[kinds][IN7][DC2][DC3]", AllKinds) {
     Random random(5);
     Sample<TestType, double> sample(random, 50, 0);
     auto set = sample.set();
@@ -355,8 +391,8 @@ TEMPLATE_LIST_TEST_CASE("kinds: every lane width and instruction set gives the s
     }
 }
 
-// Coincident, collinear, coplanar, folded, tiny, huge and pinned, in all mixtures [DC6].
-TEMPLATE_LIST_TEST_CASE("kinds: degenerate input stays finite", "[kinds]", AllKinds) {
+// Coincident, collinear, coplanar, folded, tiny, huge and pinned, in all mixtures.
+TEMPLATE_LIST_TEST_CASE("kinds: degenerate input stays finite", "[kinds][DC6]", AllKinds) {
     const auto check = []<class Real>(Real) {
         Random random(8);
         for (const double size : {0.0, 1e-18, 1e-6, 1.0, 1e6}) {
@@ -384,7 +420,7 @@ TEMPLATE_LIST_TEST_CASE("kinds: degenerate input stays finite", "[kinds]", AllKi
     check(0.0);
 }
 
-TEST_CASE("kinds: bend is finite and signed from flat to fully folded", "[kinds]") {
+TEST_CASE("kinds: bend is finite and signed from flat to fully folded", "[kinds][DC6]") {
     const auto angleAt = [](double fold) {  // second triangle turned about the edge by `fold`
         const Points<Bend> x{
             {{0, 0, 0}, {0, 1, 0}, {-1, 0.5, 0}, {std::cos(fold), 0.5, std::sin(fold)}}};
@@ -417,7 +453,7 @@ TEST_CASE("kinds: a link buckles where compression is slack and holds where it i
     }
 }
 
-TEST_CASE("kinds: contacts push and never pull", "[kinds]") {
+TEST_CASE("kinds: contacts push and never pull", "[kinds][CC1]") {
     Rows<PlaneContact> rows = restRows<PlaneContact>({0, 1}, std::vector<Vec<double>>(2));
     ConstraintSet<PlaneContact, double> set(rows, 2, bestKernels());
     std::vector<Particle<double>> p{

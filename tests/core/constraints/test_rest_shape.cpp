@@ -1,5 +1,4 @@
-// The rest shape is one thing, where a world starts another, and the start is kept [SH9, SH10,
-// AR11].
+// The rest shape is one thing, where a world starts another, and the start is kept.
 #include "tests/catch.h"
 #include "tests/random.h"
 #include "tests/report.h"
@@ -47,7 +46,7 @@ const SolverOptions damped{.schedule = {.substeps = 10, .iterations = 2}, .dampi
 
 }  // namespace
 
-TEST_CASE("a sheet let go at 150 % returns to its rest lengths [SH10]", "[statics][rest]") {
+TEST_CASE("a sheet let go at 150 % returns to its rest lengths", "[statics][rest][SH10]") {
     for (const double compliance : {0.0, 1e-3}) {
         const World world = sheet({}, 1.5, compliance);
         Solver<double> solver(world, damped);
@@ -59,7 +58,7 @@ TEST_CASE("a sheet let go at 150 % returns to its rest lengths [SH10]", "[static
     }
 }
 
-TEST_CASE("where the rest shape stands does not matter [SH10]", "[statics][rest]") {
+TEST_CASE("where the rest shape stands does not matter", "[statics][rest][SH10][SH3]") {
     const auto run = [&]<class Real>(const Vec<double>& shift, Real) {
         Solver<Real> solver(sheet(shift, 1.5, 1e-4), damped);
         advance(solver, 10);
@@ -71,7 +70,7 @@ TEST_CASE("where the rest shape stands does not matter [SH10]", "[statics][rest]
     }
 }
 
-TEST_CASE("rewound, a run is the same again [AR11, SH9]", "[statics][rest][determinism]") {
+TEST_CASE("rewound, a run is the same again", "[statics][rest][determinism][AR11][SH9]") {
     World world = sheet({}, 1.25, 1e-4);
     world.act<Gravity>(GravityOptions{});
     world.pin({0, 8}, [](const Vec<double>& x, double t) { return x + Vec<double>{t, 0, -t}; });

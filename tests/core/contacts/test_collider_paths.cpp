@@ -100,8 +100,8 @@ TEST_CASE("colliders: nothing gets into what turns fast", "[colliders]") {
 }
 
 // A ball on an arm of 1 m goes a third of a turn in a frame: straight, it misses the target on its
-// circle by 0.5 m less both radii [IN28].
-TEST_CASE("colliders: what turns hits its target with finer base steps only", "[colliders]") {
+// circle by 0.5 m less both radii.
+TEST_CASE("colliders: what turns hits its target with finer base steps only", "[colliders][IN28]") {
     for (const int baseSteps : {1, 2, 4, 8}) {
         World world;
         const Vec<double> target{std::cos(pi / 3), std::sin(pi / 3), 0};

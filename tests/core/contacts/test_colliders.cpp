@@ -37,7 +37,7 @@ std::vector<double> slide(const Solid& solid, double mu, double angle, int frame
 
 // Steps of first order go n (n + 1) / 2 a h^2, as they do in the air.
 TEST_CASE("colliders: an incline holds a degree below its angle, and not a degree above",
-          "[colliders]") {
+          "[colliders][FR5]") {
     for (const double mu : {0.3, 0.5})
         for (const bool box : {false, true}) {
             const Solid solid = box ? Solid::box(20, 0.2, 1) : Solid::plane();
@@ -55,8 +55,8 @@ TEST_CASE("colliders: an incline holds a degree below its angle, and not a degre
         }
 }
 
-// v^2 / 2 mu g, and the mean friction of a pair, at most 1 [FR1].
-TEST_CASE("colliders: what slides comes to rest where it should", "[colliders]") {
+// v^2 / 2 mu g, and the mean friction of a pair, at most 1.
+TEST_CASE("colliders: what slides comes to rest where it should", "[colliders][CC22]") {
     for (const auto& [a, b, pair] : {std::tuple{0.4, 0.4, 0.4}, {0.0, 1.0, 0.5}, {0.5, 9.0, 1.0}}) {
         World world;
         const Range point = addPoint(world, {0, skin, 0}, 1, {2, 0, 0});
@@ -73,8 +73,8 @@ TEST_CASE("colliders: what slides comes to rest where it should", "[colliders]")
     }
 }
 
-// [FR5, FR6, FR2, FR4]
-TEST_CASE("colliders: sliding friction, friction below zero, and stickiness", "[colliders]") {
+TEST_CASE("colliders: sliding friction, friction below zero, and stickiness",
+          "[colliders][FR6][FR2][FR4]") {
     const auto lost = [](double standing, double sliding) {
         World world;
         const Range point = addPoint(world, {0, skin, 0}, 1, {4, 0, 0});
@@ -230,8 +230,8 @@ TEST_CASE("colliders: what moves along drags by friction", "[colliders]") {
     CHECK(report("speed after 1 s, m/s", std::fabs(solver.velocities()[0].x - 2), 1e-5));
 }
 
-// (1 + e) V, on a flat side, on a round one, and where a bar turns [CC14, IN27].
-TEST_CASE("colliders: a moving collider launches a point", "[colliders]") {
+// (1 + e) V, on a flat side, on a round one, and where a bar turns.
+TEST_CASE("colliders: a moving collider launches a point", "[colliders][CC14]") {
     for (const double e : {0.0, 0.5, 1.0})
         for (const int substeps : {1, 10})
             for (const auto& [name, solid] : solids) {

@@ -49,8 +49,7 @@ Split hit(int side, ContactMass mass, double pointMass = 1) {
 
 }  // namespace
 
-// [CC26]
-TEST_CASE("contact mass: a finer sheet of the same weight is as heavy", "[contacts]") {
+TEST_CASE("contact mass: a finer sheet of the same weight is as heavy", "[contacts][CC26][UN12]") {
     const double together = speed * ballMass / (ballMass + sheetMass);
     for (const int side : {3, 5, 7}) {
         const Split split = hit(side, ContactMass::physical);
@@ -60,8 +59,7 @@ TEST_CASE("contact mass: a finer sheet of the same weight is as heavy", "[contac
     }
 }
 
-// [CC26]
-TEST_CASE("contact mass: with point masses a finer sheet seems heavier", "[contacts]") {
+TEST_CASE("contact mass: with point masses a finer sheet seems heavier", "[contacts][CC26]") {
     double last = speed;
     for (const int side : {3, 5, 7}) {
         const Split split = hit(side, ContactMass::legacy);

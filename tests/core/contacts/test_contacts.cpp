@@ -91,8 +91,8 @@ TEST_CASE("contacts: the nearest points are the nearest", "[contacts]") {
     CHECK(report("the way against its weights, m", apart, 1e-12));
 }
 
-// [CC25]
-TEST_CASE("contacts: particles rest as far apart as their radii together", "[contacts]") {
+TEST_CASE("contacts: particles rest as far apart as their radii together",
+          "[contacts][CC25][CC8]") {
     World world;
     const Range pile =
         world.add({SimplicialComplex(3), Points{{0, 0, 0}, {0, 0.5, 0}, {0, 1.2, 0}}});
@@ -199,8 +199,8 @@ TEMPLATE_TEST_CASE("contacts: keep momentum and angular momentum", "[contacts]",
     }
 }
 
-// [CC15, CC17] A sheet of points that begins far inside the thickness of a floor.
-TEST_CASE("contacts: an overlap at the start is let go of slowly", "[contacts]") {
+// A sheet of points that begins far inside the thickness of a floor.
+TEST_CASE("contacts: an overlap at the start is let go of slowly", "[contacts][CC15]") {
     const auto fastest = [](double recovery) {
         World world;
         const Range floor = addSlope(world, 0);
@@ -272,7 +272,7 @@ TEST_CASE("contacts: what touches next to pinned vertices flings nothing away", 
                  length(solver.positions()[2] - Vec<double>{0.5, 0, 1}), 0.1));
 }
 
-// [CC15] Cells of 2 mm: a thickness of 1 mm to either side would have every vertex touch the
+// Cells of 2 mm: a thickness of 1 mm to either side would have every vertex touch the
 // triangles beyond the next edge, and push them away.
 TEST_CASE("contacts: what was given no thickness does not touch itself as it rests",
           "[contacts][strangers]") {

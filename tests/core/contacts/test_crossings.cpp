@@ -93,7 +93,7 @@ Shots shootAll(int bullets) {
 }  // namespace
 
 // [D8]
-TEST_CASE("crossings: no bullet goes through a thin sheet", "[contacts][crossings]") {
+TEST_CASE("crossings: no bullet goes through a thin sheet", "[contacts][crossings][CC2]") {
     const Shots all = shootAll(500);
     note("bullets that hit", all.hits);
     CHECK(all.hits > 400);
@@ -101,7 +101,7 @@ TEST_CASE("crossings: no bullet goes through a thin sheet", "[contacts][crossing
     CHECK(shoot(25, 1, false).through > 15);
 }
 
-TEST_CASE("crossings: no bullet of 10,000", "[contacts][crossings][long]") {
+TEST_CASE("crossings: no bullet of 10,000", "[contacts][crossings][long][CC2]") {
     const Shots all = shootAll(10000);
     note("bullets that hit", all.hits);
     CHECK(all.through == 0);

@@ -9,9 +9,8 @@
 using namespace plait;
 using namespace plait::test;
 
-// [FH8, FH9]
 TEST_CASE("failed contacts: what fails is marked beside what is marked by hand",
-          "[contacts][failed]") {
+          "[contacts][failed][FH8][FH9]") {
     const int failed[4]{2, 3, 2, 3}, freed[4]{0, 1, 0, 1};
     for (int flag = 0; flag < 4; ++flag) {
         CHECK(Disabled::fail(flag) == failed[flag]);
@@ -19,9 +18,9 @@ TEST_CASE("failed contacts: what fails is marked beside what is marked by hand",
     }
 }
 
-// [FH9] Two particles of one surface over a floor, the upper one fast enough to overtake.
+// Two particles of one surface over a floor, the upper one fast enough to overtake.
 TEST_CASE("failed contacts: by hand, with its own surface, with others, and both",
-          "[contacts][failed]") {
+          "[contacts][failed][FH9][CC21]") {
     for (const int own : {0, 1})
         for (const int others : {0, 1}) {
             World world;
@@ -47,9 +46,9 @@ TEST_CASE("failed contacts: by hand, with its own surface, with others, and both
         }
 }
 
-// [FH7] A drop over each triangle of a sheet that is held; one vertex of it is out.
+// A drop over each triangle of a sheet that is held; one vertex of it is out.
 TEST_CASE("failed contacts: simplices with a corner that is out meet nothing",
-          "[contacts][failed]") {
+          "[contacts][failed][FH9]") {
     constexpr int side = 5, middle = 12;
     World world;
     const Range sheet =
@@ -145,8 +144,7 @@ auto& flagsOf(auto& state) {
         ->integers;
 }
 
-// [FH7]
-TEST_CASE("failed contacts: exactly what pierces is out", "[contacts][failed]") {
+TEST_CASE("failed contacts: exactly what pierces is out", "[contacts][failed][FH7]") {
     const Snag snag(0, disabling());
     Solver<double> solver(snag.world, meeting(10));
     solver.frame();
@@ -162,8 +160,7 @@ TEST_CASE("failed contacts: exactly what pierces is out", "[contacts][failed]") 
     CHECK(report("what is out stays where it is, m/s", topSpeed(solver), 1e-12));
 }
 
-// [FH7, FH8]
-TEST_CASE("failed contacts: what has come free is taken back", "[contacts][failed]") {
+TEST_CASE("failed contacts: what has come free is taken back", "[contacts][failed][FH8]") {
     const Snag snag(1, disabling());
     Solver<double> solver(snag.world, stepping(240));
     std::set<int> seen;
@@ -194,8 +191,8 @@ TEST_CASE("failed contacts: what has come free is taken back", "[contacts][faile
     CHECK(held < row);
 }
 
-// [FH3, FH5] Left out only while they pierce; and the worse case: what goes in is let in.
-TEST_CASE("failed contacts: what is trapped is left out of contacts", "[contacts][failed]") {
+// Left out only while they pierce; and the worse case: what goes in is let in.
+TEST_CASE("failed contacts: what is trapped is left out of contacts", "[contacts][failed][FH5]") {
     for (const bool one : {false, true}) {
         ContactOptions options{.order = 1};
         (one ? options.selfTrapped : options.trapped) = true;
@@ -238,8 +235,8 @@ World elbow(const ContactOptions& options) {
 
 }  // namespace
 
-// [FH7, FH8]
-TEST_CASE("failed contacts: what is pinched is let go and taken back", "[contacts][failed]") {
+TEST_CASE("failed contacts: what is pinched is let go and taken back",
+          "[contacts][failed][FH7][FH8]") {
     const World world = elbow(disabling());
     Solver<float> solver(world, meeting(10));
     advance(solver, 24);

@@ -74,7 +74,7 @@ double measuredFriction(const Surface& floor, const Surface& matter) {
 
 // Steps of first order go n (n + 1) / 2 a h^2, as they do in the air.
 TEST_CASE("friction: an incline holds a degree below its angle, and not a degree above",
-          "[contacts][friction]") {
+          "[contacts][friction][FR5][FR6]") {
     for (const double mu : {0.3, 0.5})
         for (const bool cube : {false, true}) {
             const double limit = std::atan(mu);
@@ -93,7 +93,7 @@ TEST_CASE("friction: an incline holds a degree below its angle, and not a degree
 }
 
 TEST_CASE("friction: below the threshold a cube stays for a minute, above it goes",
-          "[contacts][friction][long]") {
+          "[contacts][friction][long][FR5]") {
     for (const double mu : {0.3, 0.5}) {
         const double creep = slide({mu, std::atan(0.95 * mu), true}, 60 * 24).back();
         CHECK(report("creep in 60 s, m", std::fabs(creep), 1e-3));
@@ -104,7 +104,7 @@ TEST_CASE("friction: below the threshold a cube stays for a minute, above it goe
 }
 
 // v^2 / 2 mu g on the way, which steps of first order shorten by v h / 2.
-TEST_CASE("friction: what slides comes to rest where it should", "[contacts][friction]") {
+TEST_CASE("friction: what slides comes to rest where it should", "[contacts][friction][FR6]") {
     World world;
     const Range floor = addSlope(world, 0), point = addPoint(world, {0, 2 * skin, 0}, 1, {2, 0, 0});
     world.act<Gravity>(GravityOptions{});
@@ -117,8 +117,8 @@ TEST_CASE("friction: what slides comes to rest where it should", "[contacts][fri
     CHECK(topSpeed(solver) < 1e-5);
 }
 
-// M 5.5 [FR1].
-TEST_CASE("friction: of a pair the mean, at most 1", "[contacts][friction]") {
+// M 5.5.
+TEST_CASE("friction: of a pair the mean, at most 1", "[contacts][friction][FR1][FR6]") {
     for (const auto& [a, b, pair] : {std::tuple{0.0, 1.0, 0.5},
                                      {0.0, 2.0, 1.0},
                                      {0.2, 0.6, 0.4},
@@ -128,13 +128,12 @@ TEST_CASE("friction: of a pair the mean, at most 1", "[contacts][friction]") {
         CHECK(report("of " + std::to_string(a) + " and " + std::to_string(b), std::fabs(mu - pair),
                      0.01));
     }
-    // What slides feels the dynamic one, however rough it is at rest [FR5, FR6].
+    // What slides feels the dynamic one, however rough it is at rest.
     const Surface both = rough(0.9, 0.3);
     CHECK(report("static 0.9, dynamic 0.3", std::fabs(measuredFriction(both, both) - 0.3), 0.01));
 }
 
-// [FR2]
-TEST_CASE("friction: below zero it adds energy, and is warned of", "[contacts][friction]") {
+TEST_CASE("friction: below zero it adds energy, and is warned of", "[contacts][friction][FR2]") {
     const Surface slick = rough(-0.2, -0.2);
     CHECK(report("of -0.2", std::fabs(measuredFriction(slick, slick) + 0.2), 0.01));
     World world;
@@ -146,8 +145,8 @@ TEST_CASE("friction: below zero it adds energy, and is warned of", "[contacts][f
     CHECK(world.warnings[1].find("skin.dynamicFriction") != std::string::npos);
 }
 
-// [FR4] A point below a ceiling that holds 2 N.
-TEST_CASE("stickiness: holds its force, and tears above", "[contacts][friction]") {
+// A point below a ceiling that holds 2 N.
+TEST_CASE("stickiness: holds its force, and tears above", "[contacts][friction][FR4]") {
     for (const auto& [mass, holds] : {std::pair{0.19, true}, {0.22, false}}) {
         World world;
         Surface ceiling, drop;
@@ -201,9 +200,9 @@ TEST_CASE("stickiness: friction goes by what presses and by what sticks, and mix
         }
 }
 
-// [LY2, LY3] Two alike that meet head on, at rest afterwards unless one of them yields less.
+// Two alike that meet head on, at rest afterwards unless one of them yields less.
 TEST_CASE("layers: the lower one yields less, by the shock, whatever the difference",
-          "[contacts][friction]") {
+          "[contacts][friction][LY2][LY3]") {
     for (const auto& [a, b, shock, ratio] : {std::tuple{0, 0, 2.0, 1.0},
                                              {0, 1, 2.0, 2.0},
                                              {0, 5, 2.0, 2.0},

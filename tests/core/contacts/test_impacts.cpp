@@ -96,8 +96,8 @@ TEST_CASE("impacts: a ball bounces as high and as long as it should, and rests",
     }
 }
 
-// S 7: stepped from event to event it would never get past 8.6 s. [IN26]
-TEST_CASE("impacts: ever faster bounces end", "[impacts][long]") {
+// S 7: stepped from event to event it would never get past 8.6 s.
+TEST_CASE("impacts: ever faster bounces end", "[impacts][long][IN26]") {
     for (const double e : {0.9, 0.99}) {
         const Drop ball = drop(e, 100);
         note("bounces in 100 s", static_cast<double>(ball.bounces));
@@ -120,8 +120,8 @@ TEST_CASE("impacts: BDF2 bounces alike", "[impacts]") {
     CHECK(report("second bounce", std::fabs(ball.heights[1] / 0.4096 - 1), 0.02));
 }
 
-// ((m1 - e m2) v1 + m2 (1 + e) v2) / (m1 + m2) [CC12, CC27]
-TEST_CASE("impacts: on a line", "[impacts]") {
+// ((m1 - e m2) v1 + m2 (1 + e) v2) / (m1 + m2)
+TEST_CASE("impacts: on a line", "[impacts][CC12][CC27]") {
     double worst = 0;
     for (const double e : {0.0, 0.25, 0.5, 1.0})
         for (const double m : {0.01, 0.5, 1.0, 2.0, 100.0}) {
@@ -202,7 +202,7 @@ void stepByEvents(std::array<double, 3>& x, std::array<double, 3>& v,
 }  // namespace
 
 // S figure 20.
-TEST_CASE("impacts: three particles meet in their order within a step", "[impacts]") {
+TEST_CASE("impacts: three particles meet in their order within a step", "[impacts][CC13][FX34]") {
     Random random(20);
     int most = 0;
     double worst = 0;

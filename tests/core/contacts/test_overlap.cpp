@@ -41,8 +41,8 @@ Energies energies(double recovery) {
 
 }  // namespace
 
-// [CC15] They part at r: each moves at r / 2 and has m r^2 / 8.
-TEST_CASE("overlap: two that begin too near do not explode", "[contacts][overlap]") {
+// They part at r: each moves at r / 2 and has m r^2 / 8.
+TEST_CASE("overlap: two that begin too near do not explode", "[contacts][overlap][CC15][SH9]") {
     for (const double r : {0.01, 0.1, 0.5}) {
         const Energies ours = energies(r);
         const double expected = 2 * 0.2 * r * r / 8;
@@ -56,8 +56,9 @@ TEST_CASE("overlap: two that begin too near do not explode", "[contacts][overlap
     CHECK(report("of m v^2 / 4", std::fabs(control / (0.2 * at * at / 4) - 1), 1e-6));
 }
 
-// [CC15] A skin that is thicker than the triangles.
-TEST_CASE("overlap: a sheet thicker than its mesh stays at rest", "[contacts][overlap]") {
+// A skin that is thicker than the triangles.
+TEST_CASE("overlap: a sheet thicker than its mesh stays at rest",
+          "[contacts][overlap][CC15][SH9]") {
     World world;
     const Range sheet = world.add(grid({.columns = 8, .rows = 8}));
     holdSheet(world, sheet);
@@ -68,10 +69,10 @@ TEST_CASE("overlap: a sheet thicker than its mesh stays at rest", "[contacts][ov
     CHECK(report("speed, m/s", topSpeed(solver), 1e-9));
 }
 
-// [CC16, CC17] What counts of two thicknesses is the least of both together and of what is between
+// What counts of two thicknesses is the least of both together and of what is between
 // them and r h: never less than it was.
 TEST_CASE("overlap: thickness opens as particles part, and never closes again",
-          "[contacts][overlap]") {
+          "[contacts][overlap][CC17]") {
     constexpr int count = 24;
     constexpr double radius = 0.1, recovery = 0.2;
     World world;
@@ -118,8 +119,9 @@ TEST_CASE("overlap: thickness opens as particles part, and never closes again",
     CHECK(report("not yet open after 3 s, m", 2 * radius - least, 1e-6));
 }
 
-// [CC20, FH13] A point deep in the skin of a plate that would be flung out at once.
-TEST_CASE("overlap: a contact moves nothing further than its limit", "[contacts][overlap]") {
+// A point deep in the skin of a plate that would be flung out at once.
+TEST_CASE("overlap: a contact moves nothing further than its limit",
+          "[contacts][overlap][CC20][FH13]") {
     for (const double limit : {0.0, 0.001}) {
         World world;
         const Range floor = addSlope(world, 0);

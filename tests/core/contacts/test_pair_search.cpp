@@ -150,7 +150,7 @@ TEST_CASE("contacts: pairs looked for long ago are those looked for now", "[cont
 }
 
 // Against all pairs there are, while they turn and fly further than they are apart.
-TEST_CASE("contacts: pairs are those of all that come near while they whirl", "[contacts]") {
+TEST_CASE("contacts: pairs are those of all that come near while they whirl", "[contacts][CC9]") {
     Random random(5);
     constexpr int triangles = 40;
     Simplices cells;

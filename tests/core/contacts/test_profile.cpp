@@ -44,8 +44,7 @@ Outline jug(int n) {
 
 }  // namespace
 
-TEST_CASE("profiles: the nearest edge and the side are those of a search of all [CC23]",
-          "[colliders]") {
+TEST_CASE("profiles: the nearest edge and the side are those of a search of all", "[colliders]") {
     for (const Outline& outline : {jug(25), Outline{{0, 0}, {1, 0}, {0, 1}},
                                    Outline{{0.5, 0}, {0.7, 0}, {0.7, 3}, {0.5, 3}}}) {
         const Profile profile(outline);

@@ -49,7 +49,7 @@ std::vector<double> heights(double start, const PushOutOptions& options, bool fa
 
 // The exact test knows nothing of normals. Points near faces, edges and corners, on both sides.
 TEST_CASE("push-out: a closed surface empties in a step, and nothing else is moved",
-          "[contacts][push]") {
+          "[contacts][push][FH1]") {
     for (const bool round : {false, true}) {
         World world;
         const Shape shape = round ? sphere({.subdivisions = 1, .radius = 0.6}) : cube(1);
@@ -78,8 +78,8 @@ TEST_CASE("push-out: a closed surface empties in a step, and nothing else is mov
     }
 }
 
-// [FH1] What is left of the way is 1 - strength of it in each step.
-TEST_CASE("push-out: a part of the way in each step", "[contacts][push]") {
+// What is left of the way is 1 - strength of it in each step.
+TEST_CASE("push-out: a part of the way in each step", "[contacts][push][FH1]") {
     for (const double strength : {0.1, 0.5, 1.0}) {
         const auto found =
             heights(-0.2, {.strength = strength, .radius = 0.5, .thickness = 0.01}, false, 20);
@@ -92,8 +92,8 @@ TEST_CASE("push-out: a part of the way in each step", "[contacts][push]") {
     }
 }
 
-// [FH1] The egg in a pan: 0.21 m below, by 1.5 times that to 0.105 m above, from where it falls.
-TEST_CASE("push-out: above 1 it throws up what falls back", "[contacts][push]") {
+// The egg in a pan: 0.21 m below, by 1.5 times that to 0.105 m above, from where it falls.
+TEST_CASE("push-out: above 1 it throws up what falls back", "[contacts][push][FH1]") {
     const auto course = [](double strength) {
         std::vector<double> found =
             heights(-0.2, {.strength = strength, .radius = 0.5, .thickness = 0.01}, true, 120);
@@ -120,8 +120,7 @@ TEST_CASE("push-out: above 1 it throws up what falls back", "[contacts][push]") 
     CHECK(report("of 1.5, against theory, m", worst, 1e-12));
 }
 
-// [FH2]
-TEST_CASE("push-out: reaches down as far as its radius, and costs by it", "[contacts][push]") {
+TEST_CASE("push-out: reaches down as far as its radius, and costs by it", "[contacts][push][FH2]") {
     CHECK(heights(-0.1, {.radius = 0.11}, false, 1)[0] == Approx(0).margin(1e-12));
     CHECK(heights(-0.1, {.radius = 0.09}, false, 1)[0] == Approx(-0.1));
     const auto pairs = [](double radius) {
@@ -166,7 +165,6 @@ int left(bool pushes, bool contacts, bool trapped) {
 
 }  // namespace
 
-// [FH1, FH3]
 TEST_CASE("push-out: frees a ball that is wholly inside; to leave out what is trapped does not",
           "[contacts][push]") {
     CHECK(left(true, false, false) == 0);

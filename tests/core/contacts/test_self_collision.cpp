@@ -56,8 +56,8 @@ int crossingsOfEdges(Self self) {
 
 }  // namespace
 
-// [SF1, SF8] As where a shirt is buttoned.
-TEST_CASE("self-collision: only the full mode parts edges", "[contacts][self]") {
+// As where a shirt is buttoned.
+TEST_CASE("self-collision: only the full mode parts edges", "[contacts][self][SF1][SF8]") {
     CHECK(crossingsOfEdges(Self::full) == 0);
     CHECK(crossingsOfEdges(Self::vertexFace) > 0);
     CHECK(crossingsOfEdges(Self::vertex) > 0);
@@ -122,9 +122,8 @@ double automatic() {
 
 }  // namespace
 
-// [SF1, SF4]
 TEST_CASE("self-collision: points go through no face, and through holes between balls",
-          "[contacts][self]") {
+          "[contacts][self][SF1][SF4]") {
     const double thickness = automatic();
     CHECK(through({Self::none, thickness}) == bullets);
     CHECK(through({Self::full, thickness}) == 0);
@@ -136,9 +135,9 @@ TEST_CASE("self-collision: points go through no face, and through holes between 
     CHECK(few > bullets / 2);
 }
 
-// [SF7] A mesh that is pulled out, as by too few sweeps, opens between its balls.
+// A mesh that is pulled out, as by too few sweeps, opens between its balls.
 TEST_CASE("self-collision: balls let through what a stretched mesh leaves between them",
-          "[contacts][self]") {
+          "[contacts][self][SF7]") {
     const double thickness = automatic();
     for (const double stretch : {1.0, 1.4, 1.8, 2.0, 2.4, 3.0}) {
         Shape sheet = square();
@@ -153,9 +152,8 @@ TEST_CASE("self-collision: balls let through what a stretched mesh leaves betwee
     }
 }
 
-// [SF3]
 TEST_CASE("self-collision: the automatic thickness is a sixth of the mean triangle's side",
-          "[contacts][self]") {
+          "[contacts][self][SF3]") {
     const double side = 0.3, height = 0.5 * std::sqrt(3.0) * side;
     Simplices cells;
     Points x;
@@ -181,7 +179,7 @@ TEST_CASE("self-collision: the automatic thickness is a sixth of the mean triang
 
 // Brute force: no place of a triangle is further from its nearest corner, and some place is as far.
 TEST_CASE("self-collision: balls of the width without holes cover all triangles",
-          "[contacts][self]") {
+          "[contacts][self][SF4]") {
     constexpr int parts = 200;
     Random random(8);
     double over = 0, under = 0;
@@ -210,8 +208,7 @@ TEST_CASE("self-collision: balls of the width without holes cover all triangles"
     CHECK(report("reach beyond any place, in steps of the search", under, 1));
 }
 
-// [SF2]
-TEST_CASE("self-collision: dense meshes meet themselves as balls", "[contacts][self]") {
+TEST_CASE("self-collision: dense meshes meet themselves as balls", "[contacts][self][SF2]") {
     const Shape sheet = square();
     const Range all{0, sheet.complex.count(0)};
     // Right angles: half the diagonal reaches everywhere.
@@ -266,8 +263,7 @@ Work fold(Self self, double width) {
 
 }  // namespace
 
-// [SF5]
-TEST_CASE("self-collision: balls are far less work", "[contacts][self]") {
+TEST_CASE("self-collision: balls are far less work", "[contacts][self][SF5]") {
     const Work whole = fold(Self::full, 1), faces = fold(Self::vertexFace, 1),
                balls = fold(Self::vertex, denseWidth);
     for (const auto& [name, work] :
@@ -321,8 +317,7 @@ Clash clash(Self self) {
 
 }  // namespace
 
-// [SF8]
-TEST_CASE("self-collision: faces alone hold closed surfaces apart", "[contacts][self]") {
+TEST_CASE("self-collision: faces alone hold closed surfaces apart", "[contacts][self][SF8]") {
     const Clash none = clash(Self::none), faces = clash(Self::vertexFace),
                 whole = clash(Self::full);
     note("vertexFace, crossings", faces.crossings);

@@ -138,7 +138,7 @@ TEST_CASE("obj: vertices, faces in all forms, lines, points") {
     CHECK(edges(shape, 2) == Edges{{0, 1}, {1, 2}});
 }
 
-TEST_CASE("obj: quads are split to the left") {
+TEST_CASE("obj: quads are split to the left", "[SH7]") {
     CHECK(triangles(shapeOf("quad.obj", fivePoints + "f 1 2 3 4")) ==
           Triangles{{0, 1, 2}, {0, 2, 3}});
     CHECK(triangles(shapeOf("quad.obj", fivePoints + "f 2 3 4 1")) ==

@@ -46,7 +46,7 @@ TEMPLATE_TEST_CASE("A plate falls by the scheme's formula and converges to the e
     }
 }
 
-TEST_CASE("Terminal velocity is exact for any substep", "[air]") {
+TEST_CASE("Terminal velocity is exact for any substep", "[air][AW8]") {
     const double c = 3, cq = 0.6 * 1.3, tau = 0.125;
     for (const double h : {1e-3, 0.1, 10.0}) {
         const int n = 200 + static_cast<int>(20 / h);
@@ -111,7 +111,8 @@ TEST_CASE("An interval of three is one push of three substeps, and none between"
     CHECK(length(every.velocity()) > 0.1);
 }
 
-TEST_CASE("Drag grows with speed and speed squared, lift with speed squared", "[air]") {
+TEST_CASE("Drag grows with speed and speed squared, lift with speed squared",
+          "[air][AW4][AW5][AW6]") {
     const Vec<double> x{1, 0, 0}, y{0, 1, 0};
     for (const AirForm form : {legacy, physical}) {
         const double power = form == legacy ? 1 : 2;
@@ -147,7 +148,7 @@ TEST_CASE("Forces on a plate are those of the formulas", "[air]") {
     CHECK(report("force of six angles, both forms", worst, 1e-6));
 }
 
-TEST_CASE("Without tangential drag a plate falls edge-on like a knife", "[air]") {
+TEST_CASE("Without tangential drag a plate falls edge-on like a knife", "[air][AW8]") {
     for (const AirForm form : {legacy, physical}) {
         Run run(plate(edgeOn), {.form = form, .drag = 10, .tangentialDrag = 0});
         run.fall(1000, 0.01);
@@ -155,7 +156,7 @@ TEST_CASE("Without tangential drag a plate falls edge-on like a knife", "[air]")
     }
 }
 
-TEST_CASE("A light plate without a preferred direction drifts with the wind", "[air]") {
+TEST_CASE("A light plate without a preferred direction drifts with the wind", "[air][AW2]") {
     for (const AirForm form : {legacy, physical}) {
         const Vec<double> wind{3, 1, -4};
         Run run(plate(0.4, 1e-3), {.form = form, .tangentialDrag = 1, .wind = {steady(wind)}});
@@ -165,7 +166,7 @@ TEST_CASE("A light plate without a preferred direction drifts with the wind", "[
     }
 }
 
-TEST_CASE("Air density stands for less mass, or for more drag and lift", "[air]") {
+TEST_CASE("Air density stands for less mass, or for more drag and lift", "[air][AW1][AW7]") {
     for (const AirForm form : {legacy, physical}) {
         const auto after = [&](double mass, const AirOptions& options) {
             Run run(plate(0.7, mass), options);
@@ -176,7 +177,7 @@ TEST_CASE("Air density stands for less mass, or for more drag and lift", "[air]"
         const auto dense = after(0.5, {.form = form, .density = 2, .lift = 0.5, .wind = wind});
         CHECK(dense == after(0.25, {.form = form, .lift = 0.5, .wind = wind}));
         CHECK(dense == after(0.5, {.form = form, .drag = 2, .lift = 1, .wind = wind}));
-        // More mass needs as much more drag and lift [AW7].
+        // More mass needs as much more drag and lift.
         CHECK(dense == after(2, {.form = form, .density = 2, .drag = 4, .lift = 2, .wind = wind}));
         CHECK(dense != after(0.5, {.form = form, .lift = 0.5, .wind = wind}));
     }

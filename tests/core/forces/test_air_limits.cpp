@@ -30,7 +30,7 @@ TEMPLATE_TEST_CASE("Drag never adds energy, however stiff and whatever the masse
             }
 }
 
-TEST_CASE("Lift gains energy at high speed in legacy, never in physical", "[air]") {
+TEST_CASE("Lift gains energy at high speed in legacy, never in physical", "[air][AW6]") {
     for (const auto& [speed, stable] : {std::pair{1.0, true}, {1000.0, false}})
         for (const AirForm form : {legacy, physical}) {
             World world = plate(0.7);
@@ -74,7 +74,7 @@ TEST_CASE("The sheet gains the impulse that the air gives", "[air]") {
 }
 
 TEST_CASE("Area is fixed in legacy and counts in physical; objects are chosen; solids have a skin",
-          "[air]") {
+          "[air][AW5]") {
     const auto blown = [](const World& world, AirForm form, double stretch,
                           const std::vector<Range>& objects) {
         Run run(world, {.form = form, .drag = 2, .objects = objects, .wind = {steady({0, 1, 0})}});
@@ -111,7 +111,7 @@ TEST_CASE("Nothing breaks on triangles and edges without area", "[air]") {
     }
 }
 
-TEST_CASE("Wind is asked once a substep, and gusts differ from place to place", "[air]") {
+TEST_CASE("Wind is asked once a substep, and gusts differ from place to place", "[air][AW2][AW4]") {
     int calls = 0;
     Wind wind{[&](double t) {
         ++calls;

@@ -25,7 +25,7 @@ World threePlates() {
 }  // namespace
 
 TEMPLATE_TEST_CASE("Gravity moves all masses alike, but not what it ignores or what is pinned",
-                   "[forces]", float, double) {
+                   "[forces][AW9][AW10]", float, double) {
     using Real = TestType;
     World world = threePlates();
     world.pin({0});

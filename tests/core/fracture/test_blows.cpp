@@ -85,8 +85,8 @@ double energyOf(const World& world, const Solver<double>& solver) {
 }  // namespace
 
 // Slow enough that first order loses no spin to speak of in the substep in which it bursts.
-TEST_CASE("blows: both momenta and energy stay when a free pane bursts by its spin [BR6]",
-          "[welds]") {
+TEST_CASE("blows: both momenta and energy stay when a free pane bursts by its spin",
+          "[welds][BR6]") {
     World world;
     const Pane pane{.width = side, .height = side, .thickness = thickness, .leastCell = 40e-6};
     const Pattern pattern = cut(pane, evenSites(pane, 100, 1));
@@ -192,8 +192,8 @@ TEST_CASE("blows: the same bits on any number of threads, and after a pause",
 
 // A strip held at one end, and a ball of 33 g that goes for it, wherever in a substep it arrives.
 // At 60 a second it turns and touches elsewhere, and 16 % less speed breaks the strip.
-TEST_CASE("blows: how fast a ball must be to break a strip is the same for any substep [BR7]",
-          "[welds]") {
+TEST_CASE("blows: how fast a ball must be to break a strip is the same for any substep",
+          "[welds][BR7]") {
     const Pattern strip = row(0.2, 0.04, thickness, 10);
     // `away`: in parts of what the ball goes in a substep.
     const auto breaks = [&](double speed, const Steps& steps, double away) {

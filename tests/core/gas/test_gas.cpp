@@ -152,7 +152,8 @@ TEST_CASE("gas: a sphere of gas breathes at its frequency, isothermal and adiaba
     }
 }
 
-TEST_CASE("gas: constant pressure is p times the areas, of either sign, on caps too", "[gas]") {
+TEST_CASE("gas: constant pressure is p times the areas, of either sign, on caps too",
+          "[gas][AW13]") {
     for (const double gauge : {700.0, -700.0})
         for (const Shape& shape : {sphere({.subdivisions = 2, .radius = 0.3}),
                                    tube({.segments = 12, .rings = 5, .radius = 0.2})}) {
@@ -207,7 +208,7 @@ TEST_CASE("gas: a volume that is held stays through a fall", "[gas]") {
 }
 
 // Springs: p = 2 sqrt(3) k (lambda - 1) / (R lambda^2) on a sphere (validation A9).
-TEST_CASE("gas: volume against pressure is one curve, up and down", "[gas]") {
+TEST_CASE("gas: volume against pressure is one curve, up and down", "[gas][AW13][AW14][FX6]") {
     constexpr double radius = 0.3, k = 100;
     World world;
     const Range ball = addBall(world, radius);

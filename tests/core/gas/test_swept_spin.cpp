@@ -60,7 +60,7 @@ Spun spun(double lambda, double outside, int substeps) {
 
 }  // namespace
 
-TEST_CASE("gas: swept balloons under stress spin, those without do not", "[gas][long]") {
+TEST_CASE("gas: swept balloons under stress spin, those without do not", "[gas][long][AW15]") {
     for (const double outside : {0.0, 101325.0})
         for (const int substeps : {20, 50, 100}) {
             const Spun ball = spun(1.2, outside, substeps);

@@ -15,7 +15,7 @@
 using namespace plait;
 using namespace plait::test;
 
-TEST_CASE("workers: all of it once and done on return, whatever the threads", "[threads]") {
+TEST_CASE("workers: all of it once and done on return, whatever the threads", "[threads][AR14]") {
     for (const int threads : {1, 2, 3, 8}) {
         Workers workers(threads);
         Random random(1);

@@ -64,7 +64,7 @@ double unbalanced(const World& world, const Points& x, std::vector<double>& tens
 
 }  // namespace
 
-TEST_CASE("block: vertices of a colour share no constraint", "[block]") {
+TEST_CASE("block: vertices of a colour share no constraint", "[block][MS6]") {
     const World world = bentSheet(6, 0.1);
     const SetStencils links{2, linksOf(world).ids};
     const SetStencils hinges{4, hingeStencils(world.complex, {0, 36})};
@@ -93,7 +93,7 @@ TEST_CASE("block: vertices of a colour share no constraint", "[block]") {
     CHECK(colors.size() <= 9);
 }
 
-TEST_CASE("block: soft constraints converge to implicit Euler", "[block]") {
+TEST_CASE("block: soft constraints converge to implicit Euler", "[block][IN1]") {
     constexpr double compliance = 1e-4;
     const World world = crookedChain(10, compliance);
     Solver<double> solver(world, descent(3000));

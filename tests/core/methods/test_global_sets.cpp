@@ -116,7 +116,7 @@ TEST_CASE("global: holds bear what hangs on them", "[methods]") {
 }
 
 // Rests on a floor that then drops away.
-TEST_CASE("global: a contact pushes and never pulls", "[methods]") {
+TEST_CASE("global: a contact pushes and never pulls", "[methods][CC1]") {
     World world = loosePoints({{0, 0, 0}, {1, 0, 0}});
     world.act<Gravity>(GravityOptions{});
     world.constrain(restRows<Stretch>({0, 1}, world.rest), {.name = "link"});

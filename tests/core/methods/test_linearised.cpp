@@ -1,4 +1,4 @@
-// All constraints at once, made linear: what Stam 2009, section 5, tried and gave up [IN8].
+// All constraints at once, made linear: what Stam 2009, section 5, tried and gave up.
 #include "spring.h"
 #include "tests/catch.h"
 #include "tests/random.h"
@@ -34,7 +34,7 @@ double leftOf(double turn) {
 
 }  // namespace
 
-TEST_CASE("linearised: one constraint is met exactly and keeps momentum", "[linearised]") {
+TEST_CASE("linearised: one constraint is met exactly and keeps momentum", "[linearised][IN7]") {
     World world = loosePoints({{0, 0, 0}, {1, 0, 0}});
     world.mass = {1, 3};
     world.velocity = {{0.3, -2, 1}, {-0.1, 4, 0.5}};
@@ -49,7 +49,7 @@ TEST_CASE("linearised: one constraint is met exactly and keeps momentum", "[line
 }
 
 TEST_CASE("linearised: it works for small steps and makes things worse at large turns",
-          "[linearised]") {
+          "[linearised][IN8]") {
     // What is left is of second order in what the prediction leaves.
     CHECK(report("strain left of a turn of 0.01", leftOf(0.01), 1e-4));
     CHECK(report("strain left of a turn of 0.1", leftOf(0.1), 1e-2));

@@ -95,7 +95,7 @@ void check(const std::vector<Case>& cases) {
 
 }  // namespace
 
-TEST_CASE("primal and dual: sweeps a digit on a linear chain", "[block][convergence]") {
+TEST_CASE("primal and dual: sweeps a digit on a linear chain", "[block][convergence][IN9]") {
     check({{.stiffness = 1, .dual = 2.8, .primal = 2.8},
            {.stiffness = 1e2, .dual = 138, .primal = 138},
            {.stiffness = 1e4, .dual = 367, .primal = 367},

@@ -44,14 +44,16 @@ bool explodes(double h) {
 
 }  // namespace
 
-TEST_CASE("explicit: the spring spirals out by sqrt(1 + h^2) in every step", "[springs]") {
+TEST_CASE("explicit: the spring spirals out by sqrt(1 + h^2) in every step",
+          "[springs][IN2][FX35]") {
     double worst = 0;
     for (const double h : {0.01, 0.1, 0.5, 1.0, 3.0})
         worst = std::max(worst, spiralError(Method::explicitEuler, h, std::sqrt(1 + h * h), 100));
     CHECK(report("explicit spiral, 100 steps, relative", worst, 1e-12));
 }
 
-TEST_CASE("implicit: the spring spirals in by sqrt(1 + h^2) in every step", "[springs]") {
+TEST_CASE("implicit: the spring spirals in by sqrt(1 + h^2) in every step",
+          "[springs][IN3][FX35]") {
     double worst = 0;  // at h = 1 the second step ends at 0, where an attachment has no gradient
     for (const double h : {0.01, 0.1, 0.5, 2.0})
         worst = std::max(worst, spiralError(Method::implicit, h, 1 / std::sqrt(1 + h * h), 40));
@@ -87,7 +89,8 @@ TEST_CASE("implicit: tension holds across, implicitly; pressure pushes out, expl
         report("push of pressed springs", std::hypot(pushed.x - (1 + h * h), pushed.v - h), 1e-9));
 }
 
-TEST_CASE("symplectic: the modified energy is constant, and bounds the plain one", "[springs]") {
+TEST_CASE("symplectic: the modified energy is constant, and bounds the plain one",
+          "[springs][IN4][FX35]") {
     for (const double h : {0.5, 1.0, std::sqrt(2.0), 1.9}) {
         Solver<double> solver(unitSpring(), steppingBy(h, Method::symplectic));
         double worst = 0, least = 1, most = 0;
@@ -110,7 +113,35 @@ TEST_CASE("symplectic: the modified energy is constant, and bounds the plain one
     }
 }
 
-TEST_CASE("symplectic: it explodes above h = 2 and not below", "[springs]") {
+// A step is linear: its columns from three states, none of them at rest in the middle.
+TEST_CASE("symplectic: a step keeps areas, and a million of them the orbit", "[springs][IN4]") {
+    const auto step = [](double h, double x, double v) {
+        World world = unitSpring();
+        world.start[0].x = x;
+        world.velocity[0].x = v;
+        Solver<double> solver(world, steppingBy(h, Method::symplectic));
+        solver.frame();
+        return phaseOf(solver);
+    };
+    for (const double h : {0.01, 0.5, 1.0, 1.9, 3.0}) {
+        const Phase one = step(h, 1, 0), both = step(h, 1, 1);
+        const double determinant = one.x * (both.v - one.v) - (both.x - one.x) * one.v;
+        CHECK(report("determinant less 1, h = " + std::to_string(h), std::fabs(determinant - 1),
+                     1e-15 * std::max(1.0, h * h)));
+    }
+    constexpr double h = 1.9;
+    Solver<double> solver(unitSpring(), steppingBy(h, Method::symplectic, 100));
+    double most = 0;
+    for (int frame = 0; frame < 10000; ++frame) {
+        solver.frame();
+        const Phase z = phaseOf(solver);
+        most = std::max(most, (z.x * z.x + z.v * z.v) / 2);
+    }
+    CHECK(report("energy over a million steps, of the most it may be", most * (1 - h / 2) / 0.5,
+                 1 + 1e-9));
+}
+
+TEST_CASE("symplectic: it explodes above h = 2 and not below", "[springs][IN6]") {
     double calm = 1.9, wild = 2.1;
     REQUIRE(!explodes(calm));
     REQUIRE(explodes(wild));

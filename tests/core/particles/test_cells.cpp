@@ -53,7 +53,8 @@ Cells<Real> sorted(const std::vector<Vec<Real>>& points, Real reach, int threads
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("cells: around a point is everything that is near", "[liquid]", float, double) {
+TEMPLATE_TEST_CASE("cells: around a point is everything that is near", "[liquid][BP3]", float,
+                   double) {
     for (const auto& points : everyCloud<TestType>()) {
         const TestType reach = 1;
         const Cells<TestType> cells = sorted(points, reach, 1);

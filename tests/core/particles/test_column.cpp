@@ -123,13 +123,13 @@ void check(const Column& column, const Rest& rest, std::size_t every) {
 }  // namespace
 
 TEST_CASE("liquid: a column at rest is compressed as foretold and keeps its level",
-          "[liquid][figures]") {
+          "[liquid][figures][DC16][FL1]") {
     const Column column{.across = 8, .layers = 24, .perSecond = 1400};
     check(column, rest(column, 150, 100), 1);
 }
 
 // That it dies out is what a relaxation of 0.25 is for.
-TEST_CASE("liquid: a column of 48 layers stands for a minute", "[liquid][long]") {
+TEST_CASE("liquid: a column of 48 layers stands for a minute", "[liquid][long][DC16][FL1]") {
     const Column column{.across = 8, .layers = 48, .perSecond = 2400};
     const Rest soon = rest(column, 400, 350), late = rest(column, 3000, 2900);
     check(column, late, 3);

@@ -243,8 +243,8 @@ TEST_CASE("large motion of a double pendulum", "[integration]") {
     }
 }
 
-// Twenty links let go from horizontal, against small steps and the direct solve [IN13].
-TEST_CASE("five substeps of twenty sweeps beat one of a hundred", "[integration]") {
+// Twenty links let go from horizontal, against small steps and the direct solve.
+TEST_CASE("five substeps of twenty sweeps beat one of a hundred", "[integration][IN13]") {
     const auto fall = [](Integrator integrator, int substeps, int iterations) {
         World world = linkedPoints(hung(std::vector<double>(20, pi / 2), 0.05),
                                    std::vector<double>(21, 0.05), integrator == Integrator::bdf2);

@@ -1,5 +1,4 @@
 // What cloth resists besides stretch: compression, bending, and a rest length that shrinks
-// [DC8, DC9, DC11].
 #include "cantilever.h"
 #include "tests/catch.h"
 #include "tests/report.h"
@@ -44,8 +43,8 @@ double heightOnLegs(const Points& feet, double compression, double extension = 0
 
 }  // namespace
 
-TEST_CASE("a strut holds or buckles by its compression resistance alone [DC8]",
-          "[statics][resistance]") {
+TEST_CASE("a strut holds or buckles by its compression resistance alone",
+          "[statics][resistance][DC8]") {
     const Points strut{{0, 0, 0}};
     REQUIRE(report("rigid strut, m", std::fabs(heightOnLegs(strut, 0) - 1), 1e-6));
     REQUIRE(report("slack strut hangs, m", std::fabs(heightOnLegs(strut, slack) + 1), 1e-3));
@@ -70,8 +69,8 @@ TEST_CASE("a strut holds or buckles by its compression resistance alone [DC8]",
     }
 }
 
-TEST_CASE("a shrinking rest length takes the edges along, gently if gradual [DC11]",
-          "[statics][resistance]") {
+TEST_CASE("a shrinking rest length takes the edges along, gently if gradual",
+          "[statics][resistance][DC11]") {
     const double scale = 0.6;
     const auto shrink = [&](double seconds) {
         World world;
@@ -131,7 +130,7 @@ void checkCantilever(int links, const ScheduleOptions& schedule, double bound) {
 
 }  // namespace
 
-TEST_CASE("a cantilever droops less the stiffer it is [DC9]", "[statics][resistance]") {
+TEST_CASE("a cantilever droops less the stiffer it is", "[statics][resistance][DC9]") {
     checkCantilever(16, {.substeps = 200, .iterations = 1}, 0.02);
     const Droop d = cantilever(10, 32, {.substeps = 600, .iterations = 1});
     REQUIRE(d.rests);
@@ -139,6 +138,6 @@ TEST_CASE("a cantilever droops less the stiffer it is [DC9]", "[statics][resista
                    0.002));
 }
 
-TEST_CASE("a cantilever of 32 links against the elastica [DC9]", "[statics][resistance][long]") {
+TEST_CASE("a cantilever of 32 links against the elastica", "[statics][resistance][long][DC9]") {
     checkCantilever(32, {.substeps = 1600, .iterations = 1}, 0.005);
 }

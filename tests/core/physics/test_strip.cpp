@@ -108,7 +108,7 @@ TEMPLATE_TEST_CASE("a strip hangs straight in the wind at its angle [A4]", "[str
 // complex frequencies where the ratio is above about 1.5, and its zigzags feel no drag: small
 // motions of 8 links at ratio 4 in 4 m/s grow by exp(7.1 t) in an independent linear computation,
 // more the finer they are. The force follows the facet, so this is the model's, not the solver's.
-TEST_CASE("without damping a strip flutters in strong wind", "[strip]") {
+TEST_CASE("without damping a strip flutters in strong wind", "[strip][AR5]") {
     for (const auto& [ratio, flutters] : {std::pair{1.0, false}, {4.0, true}}) {
         World world = strip(balance(legacy, ratio) + 1e-6);
         actAir(world, air(legacy, ratio, 4));

@@ -3,6 +3,7 @@
 #include "tests/catch.h"
 #include "tests/report.h"
 
+#include <plait/forces/field.h>
 #include <plait/measure/surfaces/solid.h>
 
 #include <algorithm>
@@ -68,7 +69,7 @@ struct Spinning {
 
 }  // namespace
 
-TEST_CASE("pieces: mass, centre and inertia are the solid's [DC10]", "[pieces]") {
+TEST_CASE("pieces: mass, centre and inertia are the solid's", "[pieces]") {
     for (const Shape& shape :
          {box({1, 2, 3}), box({0.05, 0.04, 0.004}), prism(3, 0.03, 0.004), prism(6, 0.5, 2)}) {
         World world;
@@ -100,7 +101,7 @@ TEST_CASE("pieces: mass, centre and inertia are the solid's [DC10]", "[pieces]")
 }
 
 // ω2 of a top I = (1, 2, 3) that starts at (0.01, 1, 0.01), by elliptic functions.
-TEST_CASE("pieces: a torque-free top turns over when it should [IN18, IN19]", "[pieces]") {
+TEST_CASE("pieces: a torque-free top turns over when it should", "[pieces]") {
     constexpr double crossings[] = {10.91691, 30.46978, 50.02265};
     for (const auto& [rate, late, lost] :
          {std::tuple{240, 20e-3, 3e-5}, std::tuple{960, 0.5e-3, 2e-6}}) {
@@ -125,7 +126,7 @@ TEST_CASE("pieces: a torque-free top turns over when it should [IN18, IN19]", "[
     }
 }
 
-TEST_CASE("pieces: distances within stay, in float [DC10]", "[pieces]") {
+TEST_CASE("pieces: distances within stay, in float", "[pieces][DC15]") {
     Spinning<float> top(240);
     double worst = 0;
     for (int frame = 0; frame < 2400; ++frame) {
@@ -138,6 +139,44 @@ TEST_CASE("pieces: distances within stay, in float [DC10]", "[pieces]") {
                                                   1));
     }
     REQUIRE(report("distances in a top, off", worst, 1e-6));
+}
+
+// A piece about its axis, turned faster and faster by a field or not at all: how far its angular
+// velocity is off after a second.
+TEST_CASE("pieces: spin is of first order, of second by BDF2", "[pieces][IN18][IN19]") {
+    constexpr double omega = 2, alpha = 1.5;  // rad/s, rad/s^2
+    const auto off = [](Integrator integrator, double gain, int rate) {
+        World world;
+        const Piece bar = addPiece(world, box({1, 0.2, 0.1}), {.density = 1000});
+        for (int v = bar.vertices.first; v < bar.vertices.last; ++v)
+            world.velocity[v] = cross({0, 0, omega}, world.rest[v]);
+        holdPieces(world, {.name = "bar", .importance = 1});
+        if (gain > 0)
+            world.act<Field>(FieldOptions{.acceleration = [gain](const Vec<double>& x, double) {
+                return cross({0, 0, gain}, x);
+            }});
+        Solver<double> solver(
+            world, {.integrator = integrator,
+                    .schedule = {.substeps = 1, .frameRate = {rate, 1}, .iterations = 1}});
+        for (int step = 0; step < rate; ++step) solver.frame();
+        double inertia = 0;
+        for (std::size_t v = 0; v < world.mass.size(); ++v)
+            inertia += world.mass[v] *
+                       (world.rest[v].x * world.rest[v].x + world.rest[v].y * world.rest[v].y);
+        const Vec<double> l =
+            angularMomentum(world.mass, solver.positions(), solver.velocities(), {0, 0, 0});
+        return std::fabs(l.z / inertia - omega - gain);
+    };
+    const auto order = [&](const std::string& what, Integrator integrator, double gain) {
+        const double coarse = off(integrator, gain, 120), fine = off(integrator, gain, 240);
+        note(what + ", 120 steps, off, rad/s", coarse);
+        note("240 steps", fine);
+        return std::log2(coarse / fine);
+    };
+    CHECK(order("steady spin, first order", Integrator::first, 0) == Approx(1).margin(0.1));
+    CHECK(order("ever faster, first order", Integrator::first, alpha) == Approx(1).margin(0.1));
+    CHECK(order("steady spin, BDF2", Integrator::bdf2, 0) > 1.9);
+    CHECK(order("ever faster, BDF2", Integrator::bdf2, alpha) > 1.9);
 }
 
 // A plate of height L about its upper edge, I = m L^2 / 3.

@@ -54,7 +54,8 @@ double speedOf(const Pile& pile, const Solver<Real>& solver, int piece) {
 
 }  // namespace
 
-TEST_CASE("sleep: what has been slow for the delay sleeps, within a substep", "[pieces]") {
+TEST_CASE("sleep: what has been slow for the delay sleeps, within a substep",
+          "[pieces][SL1][SL2]") {
     constexpr int rate = 240;
     const Pile pile = towerAnd(-1, 1, sleeping);
     Solver<float> solver(pile.world, everySubstep(rate));
@@ -77,7 +78,7 @@ TEST_CASE("sleep: what has been slow for the delay sleeps, within a substep", "[
     CHECK(slowSince[3] > 20);  // it slid, and did not begin to count before
 }
 
-TEST_CASE("sleep: the work that it saves", "[pieces]") {
+TEST_CASE("sleep: the work that it saves", "[pieces][SL1]") {
     std::array<double, 2> work{};
     for (const bool on : {false, true}) {
         const Pile pile = towerAnd(-1, 0, on ? sleeping : SleepOptions{});
@@ -99,7 +100,7 @@ TEST_CASE("sleep: the work that it saves", "[pieces]") {
 }
 
 TEST_CASE("sleep: an island wakes when it is touched, and goes as if it had not slept",
-          "[pieces]") {
+          "[pieces][SL3]") {
     constexpr SleepOptions soon{.speed = 0.02, .delay = 0.25};
     std::array<std::vector<Vec<double>>, 2> ends;
     for (const bool on : {false, true}) {
@@ -125,7 +126,7 @@ TEST_CASE("sleep: an island wakes when it is touched, and goes as if it had not 
         CHECK(report("awake or asleep before, m", length(ends[0][p] - ends[1][p]), 4e-3));
 }
 
-TEST_CASE("sleep: what lies on something that moves away wakes and falls", "[pieces]") {
+TEST_CASE("sleep: what lies on something that moves away wakes and falls", "[pieces][SL3]") {
     Pile pile;
     for (int i = 0; i < 2; ++i) addBox(pile, 0, heightOf(i));
     const int floor = pile.add(box({6, 0.2, 6}), {.shift = {0, -0.1, 0}}, thick, 0.5);

@@ -203,7 +203,6 @@ constexpr struct {
 
 }  // namespace
 
-// [FX4]
 TEST_CASE("buckling: a curved rod leaves its plane where bending and twist say", "[rods]") {
     CHECK_FALSE(leavesPlane({pi, up}, 6.5));
     CHECK(leavesPlane({pi, up}, 8));

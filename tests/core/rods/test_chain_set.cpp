@@ -326,7 +326,6 @@ TEST_CASE("chains: a curve has the same bits alone and among others", "[rods][de
                     14 * i, 14 * (i + 1));
 }
 
-// [SC16]
 TEST_CASE("chains: ends held further apart than the curve is long stay finite", "[rods]") {
     for (const double off : {0.0, 1e-9, 0.1}) {
         World world;

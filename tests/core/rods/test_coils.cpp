@@ -44,7 +44,7 @@ SolverOptions stepping(int substeps, double damping) {
 }  // namespace
 
 // What contacts move takes the directors of its edges along; else the first turns that meet are
-// thrown aside, three radii far. [DC2]
+// thrown aside, three radii far.
 TEST_CASE("coils: turns that fall on each other stay a coil", "[rods][contacts]") {
     Coil held = makeCoil(), free = held;
     const Rod& rod = held.rod;

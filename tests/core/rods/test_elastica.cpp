@@ -108,8 +108,7 @@ double off(const Tip& tip, const HeavyRod& rod) {
 
 }  // namespace
 
-// [DC1][DC3]
-TEST_CASE("elastica: a heavy rod sags as its discrete chain does", "[rods]") {
+TEST_CASE("elastica: a heavy rod sags as its discrete chain does", "[rods][DC1][SH8][DC9]") {
     for (const double gamma : {0.1, 10.0, 1000.0})
         for (const int links : {8, 64})
             for (const int substeps : {2, 10}) {
@@ -123,7 +122,6 @@ TEST_CASE("elastica: a heavy rod sags as its discrete chain does", "[rods]") {
             }
 }
 
-// [DC1]
 TEST_CASE("elastica: any load, mesh and number of substeps", "[rods][long]") {
     for (const double gamma : {0.1, 1.0, 10.0, 100.0, 1000.0})
         for (const int substeps : {2, 10, 50, 400}) {
@@ -167,7 +165,6 @@ TEST_CASE("elastica: 64 links clamped in the middle of one are the continuum", "
     }
 }
 
-// [DC1]
 TEST_CASE("elastica: segments of 1 : 10 in any order droop as equal ones do", "[rods]") {
     constexpr int links = 64;
     constexpr double gamma = 10;
@@ -210,7 +207,6 @@ TEST_CASE("elastica: segments of 1 : 10 in any order droop as equal ones do", "[
     }
 }
 
-// [DC3]
 TEST_CASE("elastica: turned, reversed, in mm and km it is the same", "[rods]") {
     const HeavyRod plain{.gamma = 10, .links = 32, .substeps = 10};
     HeavyRod turned = plain, reversed = plain, small = plain, large = plain;

@@ -13,8 +13,7 @@ using namespace plait;
 using namespace plait::test;
 
 // A slinky's wire, few turns of it in weak gravity: extension m g / 2 k with k = G J / 2 pi n R^3.
-// [DC1][DC2]
-TEST_CASE("frames: a coil hangs as far as its wire says", "[rods]") {
+TEST_CASE("frames: a coil hangs as far as its wire says", "[rods][DC1][DC3]") {
     constexpr int turns = 10, links = 24;
     constexpr double radius = 0.034, g = 0.5;
     World world;
@@ -53,7 +52,7 @@ TEST_CASE("frames: a coil hangs as far as its wire says", "[rods]") {
 }
 
 // A straight rod whose far end is turned about its axis by 1 rad is twisted evenly.
-TEST_CASE("frames: twist spreads evenly along a straight rod", "[rods]") {
+TEST_CASE("frames: twist spreads evenly along a straight rod", "[rods][DC3]") {
     constexpr int links = 32;
     World world;
     const Rod rod = addRod(world, chain({.links = links}),

@@ -44,7 +44,7 @@ constexpr Wire wire{.along = 4e-3};
 }  // namespace
 
 // What starts straight, or bent otherwise, becomes the coil that it is told to be: joint by joint
-// each edge is the one before it, turned. [FX23]
+// each edge is the one before it, turned.
 TEST_CASE("rods: one with a shape of its own takes it", "[rods]") {
     const Vec<double> natural{1.5, 7, 3};  // 1/m
     World world;
@@ -116,7 +116,6 @@ TEST_CASE("rods: what starts as an arc and is straight by nature straightens", "
     }
 }
 
-// [FX4]
 TEST_CASE("rods: a coil at rest stays", "[rods]") {
     const Shape coil = helix({.links = 3 * links, .radius = 0.03, .turns = 5, .pitch = 0.02});
     for (const RodModel model : {RodModel::framed, RodModel::curved}) {

@@ -88,7 +88,6 @@ TEST_CASE("rods: rows have the gradient of their value", "[rods][kinds]") {
     holdToCalculus<DirectorLength>("director's length");
 }
 
-// [DC1]
 TEST_CASE("rods: bending as a vector is as large as the angle, whichever way", "[rods][kinds]") {
     Random random(11);
     double worst = 0;

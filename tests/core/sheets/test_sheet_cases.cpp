@@ -207,7 +207,7 @@ void degradeSoftly(const char* name, const Shape& shape, const std::vector<int>&
 
 }  // namespace
 
-TEST_CASE("sheet cases: too little work stretches sheets softly", "[inextensible][figures]") {
+TEST_CASE("sheet cases: too little work stretches sheets softly", "[inextensible][figures][AR4]") {
     const Work work{.frames = 60};
     degradeSoftly("grid", square(24), {0, 23}, work, 16);
     degradeSoftly("disordered", disordered(24), {0, 23}, work, 16);

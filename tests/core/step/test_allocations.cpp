@@ -70,7 +70,7 @@ long allocationsInFrames(const Scene& scene, int threads) {
 
 }  // namespace
 
-TEST_CASE("solver: a frame allocates nothing after the first", "[solver]") {
+TEST_CASE("solver: a frame allocates nothing after the first", "[solver][AR10]") {
     for (const SceneEntry& entry : smallScenes()) {
         const Scene scene = build(entry, Quality::draft);
         if (matterMeets(scene)) continue;

@@ -78,8 +78,8 @@ World carriedSheet(bool animated) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("animation: straight and steady within a base step [IN27]", "[solver]", float,
-                   double) {
+TEMPLATE_TEST_CASE("animation: straight and steady within a base step", "[solver][IN27][AT2]",
+                   float, double) {
     // Half a unit in the last place of what a substep moves, in two coordinates: at most 0.06 m.
     const double bound = std::is_same_v<TestType, float> ? 3e-9 : 1e-15;
     for (const int baseSteps : {1, 3}) {
@@ -118,7 +118,7 @@ TEMPLATE_TEST_CASE("animation: straight and steady within a base step [IN27]", "
 }
 
 // The bar cuts the corner by 1 - cos(angle / 2) of its length.
-TEST_CASE("animation: base steps bring a turning bar to what it must hit [IN28]", "[solver]") {
+TEST_CASE("animation: base steps bring a turning bar to what it must hit", "[solver][IN28]") {
     for (const int baseSteps : {1, 2, 4, 8}) {
         Points path;
         World world = loosePoints({{1, 0, 0}});

@@ -120,8 +120,8 @@ constexpr double tolerance = std::is_same_v<Real, float> ? 1e-6 : 1e-12;
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("every kind keeps momentum, whatever the rules [A10]", "[conservation]", double,
-                   float) {
+TEMPLATE_TEST_CASE("every kind keeps momentum, whatever the rules [A10]", "[conservation][MS6]",
+                   double, float) {
     everyKind([](const std::string& kind, const World& start, const auto& rows, bool direct) {
         double worst = 0, bdf2 = 0;
         for (const Variant& variant : variants()) {

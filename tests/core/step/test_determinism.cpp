@@ -66,8 +66,8 @@ TEST_CASE("determinism: threads", "[determinism][threads]") {
 
 // Large enough that the colours of every kind are cut between the threads, which the scenes' are
 // not.
-TEMPLATE_TEST_CASE("determinism: threads on a large sheet", "[determinism][threads]", float,
-                   double) {
+TEMPLATE_TEST_CASE("determinism: threads on a large sheet", "[determinism][threads][AR14][PD1]",
+                   float, double) {
     Scene scene = build(findScene("sampler"));
     World& world = scene.world;
     const Range sheet =
@@ -89,7 +89,7 @@ TEMPLATE_TEST_CASE("determinism: threads on a large sheet", "[determinism][threa
     }
 }
 
-TEST_CASE("determinism: a run that is rewound is the run again", "[determinism][figures]") {
+TEST_CASE("determinism: a run that is rewound is the run again", "[determinism][figures][AR11]") {
     for (const SceneEntry& entry : smallScenes()) {
         const Scene scene = build(entry, Quality::draft);
         Solver<float> solver(scene.world, scene.options);

@@ -177,8 +177,8 @@ std::vector<double> orders(Start start) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("free fall follows the scheme's own formula", "[integration][threads]", double,
-                   float) {
+TEMPLATE_TEST_CASE("free fall follows the scheme's own formula",
+                   "[integration][threads][IN1][AW10]", double, float) {
     const double bound = std::is_same_v<TestType, float> ? 1e-6 : 1e-12;
     const std::string in = precision<TestType>;
     for (const auto& [start, name] : {std::pair{Start::firstOrder, "first order"},
@@ -222,7 +222,7 @@ TEST_CASE("BDF2 hardly slows a rotor", "[integration]") {
                  std::fabs(step - 0.9616), 5e-5));
 }
 
-TEST_CASE("a pendulum loses the energy that the table says", "[integration]") {
+TEST_CASE("a pendulum loses the energy that the table says", "[integration][IN16]") {
     struct Row {
         int steps;
         double first, firstDigit, bdf2, bdf2Digit;
@@ -260,7 +260,7 @@ TEST_CASE("small swings decay as implicit Euler's", "[integration]") {
     }
 }
 
-TEST_CASE("orders of convergence", "[integration]") {
+TEST_CASE("orders of convergence", "[integration][IN15][IN16]") {
     for (const double order : orders(Start::firstOrder)) {
         note("pendulum at 1 s, first order: order", order);
         CHECK(std::fabs(order - 1) <= 0.1);

@@ -86,7 +86,8 @@ int countOf(const std::vector<LogMark>& log, int set) {
 
 }  // namespace
 
-TEST_CASE("the solver runs its schedule, mark for mark [SC1, SC7, SC9, SC14]", "[interleaving]") {
+TEST_CASE("the solver runs its schedule, mark for mark",
+          "[interleaving][SC1][SC7][SC9][SC14][SC5]") {
     int runs = 0;
     for (const int substeps : {1, 2, 3, 5, 10, 20, 30})
         for (const int stretch : {1, 4, 10, 26, 500})
@@ -106,14 +107,14 @@ TEST_CASE("the solver runs its schedule, mark for mark [SC1, SC7, SC9, SC14]", "
                     for (const auto& [set, importance] :
                          {std::pair{0, 6}, {1, stretch}, {2, floor}, {3, 9}})
                         REQUIRE(countOf(log, set) == 2 * std::max(importance, substeps));
-                    for (std::size_t i = 1; i <= log.size(); ++i)  // contact is the last word [SC5]
+                    for (std::size_t i = 1; i <= log.size(); ++i)  // contact is the last word
                         if (i == log.size() || log[i].substep != log[i - 1].substep)
                             REQUIRE((log[i - 1].set == 0 || log[i - 1].set == 2));
                 }
             }
 }
 
-TEST_CASE("collision passes lie evenly among iterations [SC15, SC17]", "[interleaving]") {
+TEST_CASE("collision passes lie evenly among iterations", "[interleaving][SC17]") {
     const World world = figureWorld(9, 26, 4, 6);
     SolverOptions options;
     options.schedule = {.substeps = 2, .iterations = 100, .collisionPasses = 10};
@@ -132,7 +133,7 @@ TEST_CASE("collision passes lie evenly among iterations [SC15, SC17]", "[interle
 // S figure 13: an order above a contact's and its importance put a set behind every evaluation of
 // it. Under palindromes an evaluation is there and back, so the set is called in the middle of it,
 // twice.
-TEST_CASE("a set from outside follows the set it is registered behind [AR12]", "[interleaving]") {
+TEST_CASE("a set from outside follows the set it is registered behind", "[interleaving][AR12]") {
     for (const int substeps : {1, 2, 3, 7, 10, 20})
         for (const Sweeps sweeps : {Sweeps::palindrome, Sweeps::oneWay}) {
             World world = figureWorld(9, 26, 7, 6);
@@ -168,7 +169,7 @@ TEST_CASE("a set from outside follows the set it is registered behind [AR12]", "
 // I and nothing is weakened; so what weakening keeps is not the droop itself, as the guide has it,
 // but its law: droop times substeps. A set evaluated once a substep at full strength falls as 1 /
 // n^2.
-TEST_CASE("weakened evaluations keep the intensity [SC7, SC8]", "[interleaving]") {
+TEST_CASE("weakened evaluations keep the intensity", "[interleaving][SC7][SC8]") {
     const auto droop = [](int links, int importance, int substeps, int iterations = 0) {
         World world = plumbLine({.links = links});
         world.constrain(linksOf(world), {.name = "stretch", .importance = importance});
@@ -201,7 +202,7 @@ TEST_CASE("weakened evaluations keep the intensity [SC7, SC8]", "[interleaving]"
 
 // A fringe of eight links, clamped level, that bends in every 1st, 2nd or 4th pass of stretch.
 
-TEST_CASE("a secondary pass is for soft bending only [SC20]", "[interleaving]") {
+TEST_CASE("a secondary pass is for soft bending only", "[interleaving][SC20]") {
     struct Fringe {
         double droop;  // m
         int bends;     // evaluations of bending in a frame
@@ -251,7 +252,7 @@ TEST_CASE("a secondary pass is for soft bending only [SC20]", "[interleaving]") 
     }
 }
 
-TEST_CASE("smoothing spreads the error and keeps momentum [SC16]", "[interleaving]") {
+TEST_CASE("smoothing spreads the error and keeps momentum", "[interleaving][SC16]") {
     const int n = 12;
     const auto sheet = [=](std::uint64_t seed) {
         World world;

@@ -76,7 +76,8 @@ std::int64_t countByHand(Wide numerator, Wide denominator, std::int64_t s) {
 
 }  // namespace
 
-TEST_CASE("The patterns of figures 9, 11 and 13 are those written by hand", "[schedule]") {
+TEST_CASE("The patterns of figures 9, 11 and 13 are those written by hand",
+          "[schedule][SC1][SC3]") {
     std::vector<ScheduledSet> sets = figureSets();
     CHECK(print(Schedule(sets, {.mode = ScheduleMode::sequential}), 0) == golden("figure-9.txt"));
     CHECK(print(Schedule(sets), 0) == golden("figure-11.txt"));
@@ -87,7 +88,7 @@ TEST_CASE("The patterns of figures 9, 11 and 13 are those written by hand", "[sc
     CHECK(print(Schedule(sets), 0) == golden("figure-13.txt"));
 }
 
-TEST_CASE("Sequential runs all of one set, then the next, contacts last", "[schedule]") {
+TEST_CASE("Sequential runs all of one set, then the next, contacts last", "[schedule][SC2]") {
     std::vector<ScheduledSet> sets = figureSets();
     sets[4].order = -1;  // still after every set that is no contact, now before self-collisions
     const SubstepPlan plan = planOf(Schedule(sets, {.mode = ScheduleMode::sequential}), 0);
@@ -115,7 +116,7 @@ TEST_CASE("A custom set follows each call of the set it is registered behind", "
     }
 }
 
-TEST_CASE("Counts are those of the guide's sections 2.4 and 4.1", "[schedule]") {
+TEST_CASE("Counts are those of the guide's sections 2.4 and 4.1", "[schedule][SC7]") {
     const auto stretch = [](int importance, int substeps) {
         return Schedule({{.name = "stretch", .importance = importance}}, {.substeps = substeps});
     };
@@ -149,7 +150,8 @@ TEST_CASE("Counts are those of the guide's sections 2.4 and 4.1", "[schedule]") 
     CHECK(countsOf(stiff, 1, 50) == std::vector<int>(50, 1));
 }
 
-TEST_CASE("Collision iterations per frame are the larger of request and substeps", "[schedule]") {
+TEST_CASE("Collision iterations per frame are the larger of request and substeps",
+          "[schedule][SC9]") {
     CHECK(countsOf(Schedule(stretchAndCollide(20, 10), {.substeps = 2}), 1, 2) ==
           std::vector{5, 5});
     for (const int request : {1, 4, 5, 10, 37})
@@ -177,7 +179,7 @@ TEST_CASE("Totals and intensity over 1/24 s are exact wherever the run stands", 
         }
 }
 
-TEST_CASE("A second holds the same evaluations at every frame rate", "[schedule]") {
+TEST_CASE("A second holds the same evaluations at every frame rate", "[schedule][IN14]") {
     for (const int fps : {24, 30, 48, 60})
         for (const int n : {1, 2, 3, 7, 20})
             for (const int importance : {1, 4, 10, 26, 500}) {
@@ -206,7 +208,8 @@ TEST_CASE("Counts stay exact in long runs and at the ends of the ranges", "[sche
         }
 }
 
-TEST_CASE("Columns are evenly spread, the last is complete and ends in a contact", "[schedule]") {
+TEST_CASE("Columns are evenly spread, the last is complete and ends in a contact",
+          "[schedule][SC3][SC4]") {
     for (const int n : {1, 2, 3, 5, 8, 13, 30}) {
         const Schedule schedule(figureSets(), {.substeps = n});
         for (int s = 40 * n; s < 41 * n; ++s) {
@@ -268,7 +271,7 @@ TEST_CASE("Iterations and collision passes fix the counts of every substep", "[s
     CHECK(both.strength(0) == 1.0);
 }
 
-TEST_CASE("The secondary pass runs in every N-th pass of the busiest set", "[schedule]") {
+TEST_CASE("The secondary pass runs in every N-th pass of the busiest set", "[schedule][SC20]") {
     const auto bend = [](int interval, const ScheduleOptions& options) {
         return Schedule({{.name = "stretch", .importance = 8},
                          {.name = "shear", .importance = 3},

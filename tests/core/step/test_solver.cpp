@@ -158,7 +158,7 @@ TEST_CASE("solver: counted work is rows times sweeps", "[solver]") {
 
 // Plain loops in double, no colours, no lanes, no multipliers' tricks: the readable twin. Links in
 // the order of their colours, forward and backward, then the floor.
-TEST_CASE("solver: agrees with a serial twin", "[solver]") {
+TEST_CASE("solver: agrees with a serial twin", "[solver][IN9][MS7]") {
     const int n = 12;
     World world = plumbLine({.links = n, .length = 0.1, .mass = 0.3});
     for (std::size_t i = 1; i < world.start.size(); ++i)

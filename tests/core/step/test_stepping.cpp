@@ -56,7 +56,8 @@ void expectSmall(Integrator integrator, const std::string& what, double error) {
 
 }  // namespace
 
-TEST_CASE("frame rates with one substep length give the same bits", "[integration][determinism]") {
+TEST_CASE("frame rates with one substep length give the same bits",
+          "[integration][determinism][IN14]") {
     for (const char* const scene : {"pendulum", "chain", "hanging-sheet", "band"}) {
         std::uint64_t hash = 0;
         long evaluations = 0;
@@ -68,12 +69,12 @@ TEST_CASE("frame rates with one substep length give the same bits", "[integratio
             advance(solver, fps / 2);
             if (fps == 24) hash = solver.hash(), evaluations = solver.evaluations();
             CHECK(solver.hash() == hash);
-            CHECK(solver.evaluations() == evaluations);  // importance is by 1/24 s [IN14]
+            CHECK(solver.evaluations() == evaluations);  // importance is by 1/24 s
         }
     }
 }
 
-TEST_CASE("time scale", "[integration]") {
+TEST_CASE("time scale", "[integration][IN25]") {
     for (const double scale : {2.0, 0.1}) {
         // A fall: what the scheme does with a substep of that many times the length.
         World world = loosePoints({{0, 0, 0}});
@@ -105,7 +106,8 @@ TEST_CASE("time scale", "[integration]") {
     }
 }
 
-TEMPLATE_TEST_CASE("velocity damping does not depend on substeps", "[integration]", double, float) {
+TEMPLATE_TEST_CASE("velocity damping does not depend on substeps", "[integration][IN23]", double,
+                   float) {
     for (const Integrator integrator : integrators)
         for (const double damping : {0.1, 0.5}) {
             double worst = 0;
@@ -149,9 +151,9 @@ TEMPLATE_TEST_CASE("damping of links does not depend on substeps", "[integration
     }
 }
 
-// A spring that bounces while it flies and turns [IN24].
+// A spring that bounces while it flies and turns.
 TEST_CASE("damping of a link leaves rigid motion, damping of velocities does not",
-          "[integration]") {
+          "[integration][IN24]") {
     struct End {
         double bounce;  // m, largest change of length over the last quarter of a second
         Point momentum, spin;
@@ -195,8 +197,8 @@ TEST_CASE("damping of a link leaves rigid motion, damping of velocities does not
                  length(velocity.spin - kept * Point{0, 0, spin}), 1e-4));
 }
 
-// A chain that starts half as long again as it may be [IN22].
-TEST_CASE("the limit on acceleration holds", "[integration]") {
+// A chain that starts half as long again as it may be.
+TEST_CASE("the limit on acceleration holds", "[integration][IN21][IN22]") {
     for (const Integrator integrator : integrators) {
         double largest[2] = {};
         for (const bool limited : {false, true}) {
@@ -227,7 +229,7 @@ TEST_CASE("the limit on acceleration holds", "[integration]") {
 }
 
 // Points dropped on a floor from many heights, so that they meet it in every part of a substep; the
-// highest that any of them comes back, in units of its drop [IN20].
+// highest that any of them comes back, in units of its drop.
 template <class Real>
 double rebound(double maxAcceleration) {
     const int count = 64, steps = 240;
@@ -255,7 +257,7 @@ double rebound(double maxAcceleration) {
     return highest;
 }
 
-TEMPLATE_TEST_CASE("BDF2 falls back at contacts", "[integration]", double, float) {
+TEMPLATE_TEST_CASE("BDF2 falls back at contacts", "[integration][IN20][IN21]", double, float) {
     const double without = rebound<TestType>(std::numeric_limits<double>::infinity());
     note("rebound without the fall-back, of the drop", without);
     CHECK(without > 1);
@@ -265,9 +267,9 @@ TEMPLATE_TEST_CASE("BDF2 falls back at contacts", "[integration]", double, float
                      rebound<TestType>(limit), 1));
 }
 
-// Errors of the arithmetic alone: against the same rounded positions in double [IN17]. V says that
+// Errors of the arithmetic alone: against the same rounded positions in double. V says that
 // the second form loses less than the first; it does not.
-TEST_CASE("forms of the velocity of BDF2 in float", "[integration]") {
+TEST_CASE("forms of the velocity of BDF2 in float", "[integration][IN17]") {
     Random random(17);
     const float h = 0.001f;
     double naive = 0, vellum = 0, differences = 0;

@@ -369,12 +369,12 @@ void holdLayers(int sheets, const std::vector<int>& passes) {
 // number of them: paths are looked at once more at the end, and what still crosses goes on being
 // parted. With n + 2 there is nothing left to part by then. Where paths are not asked, what has
 // crossed stays so: of these sheets with one pass or two, of thinner ones with 32.
-TEST_CASE("stress: layers never cross, however few the passes [SC18]", "[stress][contacts]") {
+TEST_CASE("stress: layers never cross, however few the passes", "[stress][contacts][SC18]") {
     holdLayers(4, {1});
 }
 
-TEST_CASE("stress: layers never cross, for n + 2 passes and more [SC18]",
-          "[stress][contacts][long]") {
+TEST_CASE("stress: layers never cross, for n + 2 passes and more",
+          "[stress][contacts][long][SC18]") {
     holdLayers(2, {1, 2, 4, 8});
     holdLayers(4, {2, 6, 12});
     holdLayers(8, {1, 2, 10, 20});
