@@ -53,7 +53,7 @@ template <template <class> class Base>
 struct Recipe {
     std::function<std::unique_ptr<Base<float>>(const World&, KernelChoice)> single;
     std::function<std::unique_ptr<Base<double>>(const World&, KernelChoice)> full;
-    // What may be made in its place, each by what it leaves out: so whoever wants to know whether a
+    // What may be made in its place, each by what is less of it: so whoever wants to know whether a
     // world needs as much can try.
     std::vector<std::pair<std::string, Recipe>> lesser = {};
 

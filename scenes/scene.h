@@ -32,8 +32,9 @@ struct SceneEntry {
     std::string lesson;  // one sentence
     std::vector<std::string> ingredients;
     std::vector<std::string> omissions;  // what it leaves out, and why
-    // Parts of the world (sets, forces, options) without which it would be another scene: that no
-    // metric needs them is no reason to leave them out (plait ablate).
+    // Parts of the world (sets, forces, options; "contacts", or "contacts: without friction")
+    // without which it would be another scene: that no metric needs them is no reason to leave them
+    // out (plait ablate).
     std::vector<std::string> essentials = {};
     bool demo = false;  // rendered by demos/run without a name
     std::vector<Knob> knobs = {};

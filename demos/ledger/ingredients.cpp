@@ -60,7 +60,7 @@ void addRecipe(Ingredients& all, const std::string& part, const Recipe& recipe,
                const Find& recipeIn) {
     all.push_back({part, "left out", [=](Run& r) { recipeIn(r) = {}; }});
     for (std::size_t f = 0; f < recipe.lesser.size(); ++f)
-        all.push_back({part, "without " + recipe.lesser[f].first, [=](Run& r) {
+        all.push_back({part, recipe.lesser[f].first, [=](Run& r) {
                            auto& there = recipeIn(r);
                            if (f < there.lesser.size()) {
                                const auto lesser = there.lesser[f].second;

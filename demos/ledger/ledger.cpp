@@ -18,7 +18,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double freeOfCharge = 0.02;  // of the work
-constexpr double mostWork = 8;         // of a trial, in that of the whole scene
+constexpr double patience = 8;         // work and time of a trial, in that of the whole scene
 
 constexpr std::array<double Figures::*, 3> figures{&Figures::mean, &Figures::least, &Figures::most};
 
@@ -32,7 +32,7 @@ public:
 
     // As many as there are words; `make` gives the run of each.
     std::vector<Trial> of(const std::vector<std::string>& words,
-                          const std::function<Run(int)>& make, long most) const {
+                          const std::function<Run(int)>& make, const TrialLimit& limit) const {
         std::vector<Trial> trials(words.size());
         std::vector<int> left;
         for (int i = 0; i < static_cast<int>(words.size()); ++i)
@@ -43,7 +43,7 @@ public:
                           "runs");
         runAll(count, options_.jobs, total - count, progress, [&](int k, int) {
             const int i = left[k];
-            trials[i] = tryOut(make(i), most);
+            trials[i] = tryOut(make(i), limit);
             writeWhole(fileOf(words[i]), textOf(trials[i], keyOf(words[i]), run_.scene.metrics));
         });
         return trials;
@@ -68,6 +68,11 @@ private:
     const LedgerOptions& options_;
     std::filesystem::path folder_;
 };
+
+TrialLimit limitOf(const Trial& base) {
+    return {patience * static_cast<double>(base.evaluations()),
+            std::max(1.0, patience * base.seconds)};
+}
 
 MetricTolerance toleranceOf(const Metric& metric, std::size_t column, const Trial& base,
                             const std::vector<Trial>& twins, double tolerance) {
@@ -104,7 +109,8 @@ LedgerRow rowOf(const Ledger& ledger, const std::vector<Metric>& metrics, const 
 Need needOf(const LedgerRow& row, const std::vector<std::string>& essentials) {
     if (std::ranges::any_of(row.changes, [](double change) { return change > 1; }))
         return Need::needed;
-    if (std::ranges::count(essentials, row.part) > 0) return Need::essential;
+    if (std::ranges::count(essentials, row.part) + std::ranges::count(essentials, row.name()) > 0)
+        return Need::essential;
     return row.work > freeOfCharge ? Need::needless : Need::spare;
 }
 
@@ -134,9 +140,8 @@ LedgerRow leaveOutTogether(const Ledger& ledger, const Run& run, const std::vect
             leave.push_back(all[k]);
             words += (words.empty() ? "" : "; ") + all[k].name();
         }
-        const Trial trial = trials.of(
-            {words}, [&](int) { return without(run, leave); },
-            static_cast<long>(mostWork * double(ledger.base.evaluations())))[0];
+        const Trial trial =
+            trials.of({words}, [&](int) { return without(run, leave); }, limitOf(ledger.base))[0];
         const LedgerRow row = rowOf(ledger, run.scene.metrics, "together", words, trial);
         if (needOf(row, {}) == Need::needed || row.work < best.work) continue;
         best = row, taken = more;
@@ -195,10 +200,10 @@ Ledger ledgerOf(const Run& run, const LedgerOptions& options, const std::filesys
     const std::vector<Metric>& metrics = run.scene.metrics;
     Ledger ledger{.scene = run.entry->name, .tolerance = options.tolerance};
     for (const Metric& metric : metrics) ledger.metrics.push_back(metric.name);
-    const std::vector<Trial> twins = trials.of(
-        {"base", "nudged 1", "nudged 2"},
-        [&](int i) { return i == 0 ? run : nudged(run, static_cast<unsigned>(i)); },
-        std::numeric_limits<long>::max());
+    const std::vector<Trial> twins =
+        trials.of({"base", "nudged 1", "nudged 2"},
+                  [&](int i) { return i == 0 ? run : nudged(run, static_cast<unsigned>(i)); },
+                  {infinite, infinite});
     ledger.base = twins[0];
     for (std::size_t m = 0; m < metrics.size(); ++m)
         ledger.tolerances.push_back(
@@ -207,7 +212,7 @@ Ledger ledgerOf(const Run& run, const LedgerOptions& options, const std::filesys
     for (const Ingredient& ingredient : all) words.push_back(ingredient.name());
     const std::vector<Trial> tried = trials.of(
         words, [&](int i) { return without(run, {&all[static_cast<std::size_t>(i)], 1}); },
-        static_cast<long>(mostWork * double(ledger.base.evaluations())));
+        limitOf(ledger.base));
     for (std::size_t i = 0; i < all.size(); ++i) {
         ledger.rows.push_back(rowOf(ledger, metrics, all[i].part, all[i].change, tried[i]));
         ledger.rows.back().need = needOf(ledger.rows.back(), run.entry->essentials);

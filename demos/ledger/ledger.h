@@ -35,6 +35,7 @@ struct LedgerRow {
     std::vector<double> changes = {};  // of each metric, in tolerances
     Need need = Need::needed;
 
+    std::string name() const { return part + ": " + change; }
     std::size_t mostMoved() const;  // place of the metric
 };
 

@@ -15,7 +15,7 @@
 
 namespace plait {
 
-Trial tryOut(const Run& run, long mostWork) {
+Trial tryOut(const Run& run, const TrialLimit& limit) {
     Trial trial;
     const double start = threadTime();
     try {
@@ -26,7 +26,9 @@ Trial tryOut(const Run& run, long mostWork) {
             stopIfInterrupted();
             simulation->advance();
             trial.rows.push_back(rowOf(simulation->frame()));
-            if (trial.evaluations() > mostWork) trial.ending = "more work than was allowed";
+            if (static_cast<double>(trial.evaluations()) > limit.evaluations ||
+                threadTime() - start > limit.seconds)
+                trial.ending = "given up: it takes too long";
         }
     } catch (const Diverged& diverged) {
         trial.ending = diverged.what();

@@ -19,8 +19,13 @@ struct Trial {
     long evaluations() const { return rows.empty() ? 0 : rows.back().evaluations; }
 };
 
-// Ends early where it takes more than `mostWork` evaluations. Throws Interrupted.
-Trial tryOut(const Run& run, long mostWork);
+// What a trial may take before it is given up, looked at after each frame.
+struct TrialLimit {
+    double evaluations, seconds;
+};
+
+// Throws Interrupted.
+Trial tryOut(const Run& run, const TrialLimit& limit);
 
 // The same, but for its start: everything that moves has up to 0.1 mm/s of its own. What a metric
 // differs by is chance.

@@ -66,7 +66,7 @@ Surface rough(Range vertices) {
 }  // namespace
 
 TEST_CASE("ledger: a lift gives its way times the momentum of a cloth that hangs on it",
-          "[ledger]") {
+          "[accounts]") {
     World world;
     const Range cloth = world.add(grid({.columns = 6, .rows = 8, .width = 0.6, .height = 0.8}));
     world.pin(world.select(cloth, [](const Vec<double>& x) { return x.y > 0.79; }), lifted);
@@ -76,7 +76,7 @@ TEST_CASE("ledger: a lift gives its way times the momentum of a cloth that hangs
 }
 
 TEST_CASE("ledger: a lift gives its way times the momentum of a cube that stands on it",
-          "[ledger]") {
+          "[accounts]") {
     World world;
     const Range floor = addSlope(world, 0, 4);
     world.pin({0, 1, 2, 3}, lifted);
@@ -87,7 +87,7 @@ TEST_CASE("ledger: a lift gives its way times the momentum of a cube that stands
 
 // Through the whole dance, once the skirt has settled on her. That no set gives energy, to a
 // hundredth of hers: those that bend and shear may give back what they held.
-TEST_CASE("ledger: what the dancer gives is accounted for", "[ledger][dress][long]") {
+TEST_CASE("ledger: what the dancer gives is accounted for", "[accounts][dress][long]") {
     Scene scene = build(findScene("dress"), Quality::draft);
     Ledger ledger(scene.world, g);
     Solver<double> solver(scene.world, scene.options);
