@@ -53,9 +53,15 @@ template <template <class> class Base>
 struct Recipe {
     std::function<std::unique_ptr<Base<float>>(const World&, KernelChoice)> single;
     std::function<std::unique_ptr<Base<double>>(const World&, KernelChoice)> full;
-    // What may be made in its place, each by what is less of it: so whoever wants to know whether a
-    // world needs as much can try.
-    std::vector<std::pair<std::string, Recipe>> lesser = {};
+    // What may be made in its place, and of each what is less of it: so whoever wants to know
+    // whether a world needs as much can try.
+    std::vector<Recipe> lesser = {};
+    std::string less = {};
+
+    void offer(std::string how, Recipe recipe) {
+        recipe.less = std::move(how);
+        lesser.push_back(std::move(recipe));
+    }
 
     template <class Real>
     std::unique_ptr<Base<Real>> make(const World& world, KernelChoice kernels) const {

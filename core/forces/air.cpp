@@ -57,8 +57,7 @@ void actAir(World& world, const AirOptions& options) {
         if (options.*part == 0) return;
         AirOptions less = options;
         less.*part = 0;
-        world.forces.back().lesser.emplace_back("without " + without,
-                                                World::recipeOfForce<Air>(less));
+        world.forces.back().offer("without " + without, World::recipeOfForce<Air>(less));
     };
     offer("added mass", &AirOptions::addedMass);
     offer("drag along itself", &AirOptions::tangentialDrag);
@@ -67,8 +66,8 @@ void actAir(World& world, const AirOptions& options) {
     calm.wind.noise = 0;
     rare.interval *= 2;
     if (options.wind.noise > 0)
-        world.forces.back().lesser.emplace_back("without gusts", World::recipeOfForce<Air>(calm));
-    world.forces.back().lesser.emplace_back("half as often", World::recipeOfForce<Air>(rare));
+        world.forces.back().offer("without gusts", World::recipeOfForce<Air>(calm));
+    world.forces.back().offer("half as often", World::recipeOfForce<Air>(rare));
 }
 
 template <class Real>

@@ -60,10 +60,10 @@ void addRecipe(Ingredients& all, const std::string& part, const Recipe& recipe,
                const Find& recipeIn) {
     all.push_back({part, "left out", [=](Run& r) { recipeIn(r) = {}; }});
     for (std::size_t f = 0; f < recipe.lesser.size(); ++f)
-        all.push_back({part, recipe.lesser[f].first, [=](Run& r) {
+        all.push_back({part, recipe.lesser[f].less, [=](Run& r) {
                            auto& there = recipeIn(r);
                            if (f < there.lesser.size()) {
-                               const auto lesser = there.lesser[f].second;
+                               const auto lesser = there.lesser[f];
                                there = lesser;
                            }
                        }});

@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <limits>
 #include <set>
+#include <utility>
 
 namespace plait {
 namespace {
@@ -20,7 +21,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double freeOfCharge = 0.02;  // of the work
 constexpr double patience = 8;         // work and time of a trial, in that of the whole scene
 
-constexpr std::array<double Figures::*, 3> figures{&Figures::mean, &Figures::least, &Figures::most};
+constexpr std::array<double Figures::*, 3> allFigures{&Figures::mean, &Figures::least,
+                                                      &Figures::most};
 
 // The trials of a ledger, each run once.
 class Trials {
@@ -82,7 +84,7 @@ MetricTolerance toleranceOf(const Metric& metric, std::size_t column, const Tria
     const double scale = std::isfinite(width) ? width
                                               : std::max(result.base.most - result.base.least,
                                                          std::fabs(result.base.mean));
-    for (const auto figure : figures) {
+    for (const auto figure : allFigures) {
         double low = result.base.*figure, high = low;
         for (const Trial& twin : twins) {
             const double value = figuresOf(metric, column, twin.rows).*figure;
@@ -123,8 +125,8 @@ LedgerRow leaveOutTogether(const Ledger& ledger, const Run& run, const std::vect
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < all.size(); ++i)
         if (canGo(ledger.rows[i]) && ledger.rows[i].work >= 0) order.push_back(i);
-    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-        return ledger.rows[a].work > ledger.rows[b].work;
+    std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
+        return std::pair(-ledger.rows[a].work, a) < std::pair(-ledger.rows[b].work, b);
     });
     LedgerRow best{.part = "together", .change = "nothing", .ending = "complete"};
     best.changes.assign(ledger.metrics.size(), 0);
@@ -152,10 +154,10 @@ LedgerRow leaveOutTogether(const Ledger& ledger, const Run& run, const std::vect
 
 }  // namespace
 
-double MetricTolerance::changeOf(const Figures& now) const {
+double MetricTolerance::changeOf(const Figures& figures) const {
     double change = 0;
-    for (const auto figure : figures) {
-        const double by = std::fabs(now.*figure - base.*figure), most = allowed.*figure;
+    for (const auto figure : allFigures) {
+        const double by = std::fabs(figures.*figure - base.*figure), most = allowed.*figure;
         if (by == 0) continue;
         change = std::max(change, std::isfinite(by) && most > 0 ? by / most : infinite);
     }

@@ -44,8 +44,9 @@ Run nudged(Run run, unsigned seed) {
     World& world = run.scene.world;
     std::minstd_rand random(seed);
     const auto speed = [&] {
-        return most *
-               (2 * double(random() - random.min()) / double(random.max() - random.min()) - 1);
+        return most * (2 * double(random() - std::minstd_rand::min()) /
+                           double(std::minstd_rand::max() - std::minstd_rand::min()) -
+                       1);
     };
     for (std::size_t v = 0; v < world.velocity.size(); ++v) {
         const Vec<double> nudge{speed(), speed(), speed()};

@@ -26,11 +26,11 @@ void meet(World& world, std::vector<Surface> surfaces, const ContactOptions& opt
     for (Surface& s : surfaces) s = checked(world, s, options.name);
     Recipe<Constraint> recipe = recipeFor(surfaces, options);
     for (const LesserSurfaces& form : lesserForms(surfaces))
-        recipe.lesser.emplace_back("without " + form.without, recipeFor(form.surfaces, options));
+        recipe.offer("without " + form.without, recipeFor(form.surfaces, options));
     if (options.detection == Detection::path) {
         ContactOptions atEnds = options;
         atEnds.detection = Detection::end;
-        recipe.lesser.emplace_back("without the way there", recipeFor(surfaces, atEnds));
+        recipe.offer("without the way there", recipeFor(surfaces, atEnds));
     }
     world.constrain(
         std::move(recipe),

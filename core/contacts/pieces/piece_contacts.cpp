@@ -293,7 +293,7 @@ void meetPieces(World& world, std::vector<Surface> surfaces, const ContactOption
     Recipe<Constraint> recipe = recipeFor(surfaces);
     for (const LesserSurfaces& form : lesserForms(surfaces))
         if (form.without == "friction" || form.without == "restitution")  // all that pieces know
-            recipe.lesser.emplace_back("without " + form.without, recipeFor(form.surfaces));
+            recipe.offer("without " + form.without, recipeFor(form.surfaces));
     world.constrain(
         std::move(recipe),
         {.name = options.name, .order = options.order, .importance = options.importance}, true);

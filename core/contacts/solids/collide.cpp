@@ -53,9 +53,9 @@ void collide(World& world, const std::vector<Collider>& colliders, std::vector<S
     for (Collider& c : dull) c.restitution = 0;
     for (const LesserSurfaces& form : lesserForms(surfaces)) {
         if (form.without == "friction")
-            recipe.lesser.emplace_back("without " + form.without, recipeFor(smooth, form.surfaces));
+            recipe.offer("without " + form.without, recipeFor(smooth, form.surfaces));
         if (form.without == "restitution")
-            recipe.lesser.emplace_back("without " + form.without, recipeFor(dull, form.surfaces));
+            recipe.offer("without " + form.without, recipeFor(dull, form.surfaces));
     }
     world.constrain(
         std::move(recipe),
