@@ -54,7 +54,7 @@ std::vector<LesserSurfaces> lesserForms(const std::vector<Surface>& surfaces) {
         for (Surface& s : form.surfaces) any |= change(s);
         if (any) forms.push_back(std::move(form));
     };
-    offer("edges with edges, of their own",
+    offer("edges with edges of its own",
           [](Surface& s) { return s.self == Self::full && (s.self = Self::vertexFace, true); });
     offer("contact with itself",
           [](Surface& s) { return s.self != Self::none && (s.self = Self::none, true); });

@@ -40,7 +40,8 @@ Command ablateCommand() {
     std::vector<Option> options = stateOptions();
     options.push_back({"tolerance", "5%", "of a metric's band that an ingredient may move; 5%"});
     options.push_back({"jobs", "N", "runs at a time; 1"});
-    options.push_back({"force", "", "does again what is finished"});
+    options.push_back(
+        {"force", "", "does again what is finished, as after a change of the program"});
     options.push_back({"out", "DIR", "where it is kept: out/ledger/SCENE"});
     options.push_back(quietOption());
     return {.name = "ablate",

@@ -62,10 +62,8 @@ void addRecipe(Ingredients& all, const std::string& part, const Recipe& recipe,
     for (std::size_t f = 0; f < recipe.lesser.size(); ++f)
         all.push_back({part, recipe.lesser[f].less, [=](Run& r) {
                            auto& there = recipeIn(r);
-                           if (f < there.lesser.size()) {
-                               const auto lesser = there.lesser[f];
-                               there = lesser;
-                           }
+                           // Copied first: it is a part of what it replaces.
+                           if (f < there.lesser.size()) there = Recipe(there.lesser[f]);
                        }});
 }
 

@@ -1,6 +1,7 @@
 #include "ledger.h"
 
 #include "demos/runs/run_all.h"
+#include "demos/tools/errors.h"
 #include "demos/tools/files.h"
 #include "demos/tools/progress.h"
 
@@ -207,6 +208,7 @@ Ledger ledgerOf(const Run& run, const LedgerOptions& options, const std::filesys
                   [&](int i) { return i == 0 ? run : nudged(run, static_cast<unsigned>(i)); },
                   {infinite, infinite});
     ledger.base = twins[0];
+    if (!ledger.base.whole()) throw SceneError(ledger.scene + ": " + ledger.base.ending);
     for (std::size_t m = 0; m < metrics.size(); ++m)
         ledger.tolerances.push_back(
             toleranceOf(metrics[m], m, ledger.base, twins, options.tolerance));

@@ -60,7 +60,8 @@ struct LedgerOptions {
     bool quiet = false;
 };
 
-// Finished trials are kept in `folder`, and are not run again. Throws Interrupted.
+// Finished trials are kept in `folder`, and are not run again, even by another build of
+// the program. Throws Interrupted, and SceneError for a run that does not end well by itself.
 Ledger ledgerOf(const Run& run, const LedgerOptions& options, const std::filesystem::path& folder);
 
 // Into `folder`: ledger.csv, chart.svg, chart.png and index.html. Returns what is printed.

@@ -1,6 +1,5 @@
 #include "demos/study/tables.h"
 #include "demos/tools/files.h"
-#include "demos/tools/machine.h"
 #include "demos/tools/web_page.h"
 #include "demos/tools/words.h"
 #include "ledger.h"
@@ -54,8 +53,8 @@ Table metricTable(const Ledger& ledger) {
     return table;
 }
 
-// Every ingredient by what leaving it out saves and moves; to the right of and below both lines is
-// what the scene does not need.
+// Every ingredient by what leaving it out saves and moves: what lies below the line, the scene does
+// not need.
 Figure figureOf(const Ledger& ledger) {
     constexpr double least = 1e-3, most = 1e3;  // changes beyond stand on the edge
     Chart chart{.x = {.label = "counted work saved [%]"},
@@ -81,6 +80,12 @@ Figure figureOf(const Ledger& ledger) {
             .height = 800};
 }
 
+// Of a table whose columns commas part.
+std::string cellOf(std::string words) {
+    std::replace(words.begin(), words.end(), ',', ';');
+    return words;
+}
+
 std::string summary(const Ledger& ledger) {
     std::string text;
     if (ledger.together.change == "nothing")
@@ -100,11 +105,10 @@ std::string csvOf(const Ledger& ledger) {
     for (const std::string& metric : ledger.metrics) csv += metric + ",";
     csv += "verdict,ending\n";
     for (const LedgerRow& row : ledger.rows) {
-        csv += row.part + "," + row.change + "," + text(row.work) + "," + text(row.time) + ",";
+        csv += cellOf(row.part) + "," + cellOf(row.change) + "," + text(row.work) + "," +
+               text(row.time) + ",";
         for (const double change : row.changes) csv += text(change) + ",";
-        std::string ending = row.ending;
-        std::replace(ending.begin(), ending.end(), ',', ';');
-        csv += wordOf(row.need) + "," + ending + "\n";
+        csv += wordOf(row.need) + "," + cellOf(row.ending) + "\n";
     }
     return csv;
 }

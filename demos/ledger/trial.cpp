@@ -20,7 +20,7 @@ Trial tryOut(const Run& run, const TrialLimit& limit) {
     const double start = threadTime();
     try {
         const auto simulation = makeSimulation(run, 1);
-        for (int i = 0; i < simulation->lead(); ++i) simulation->settle();
+        settle(*simulation, run);
         trial.rows.push_back(rowOf(simulation->frame()));
         for (int f = 1; f <= run.frames() && trial.whole(); ++f) {
             stopIfInterrupted();
