@@ -38,6 +38,8 @@ struct Surface {
     std::vector<std::uint8_t> disableSelf{}, disableExternal{};
     Self self = Self::full;
     double selfWidth = 1;  // times the thickness, where it meets itself [SF4]
+    // Others of the same call of meet(), by place, that it lets through and they it (M 3.1.3).
+    std::vector<int> ignores{};
 };
 
 // Whether two have met on their way, or only how near they are where they have got to: then what is
@@ -57,7 +59,9 @@ struct ContactOptions {
     ContactMass mass = ContactMass::physical;
     int order = 0;
     int importance = 24;
-    double layerShock = 1;  // 1: layers are alike
+    double layerShock = 1;                       // 1: layers are alike
+    double selfFriction = 1, otherFriction = 1;  // times the friction of what meets its own
+                                                 // surface, of what meets others (V); for meet()
     double recovery = 0.5;  // m/s: how fast what began too near may part; slower than it would fly
     double bounceThreshold = 0;  // m/s: what approaches more slowly, or at less than 2 g h, does
                                  // not bounce

@@ -174,4 +174,20 @@ void MeshSequence::operator()(double t, std::span<Vec<double>> positions) const 
     }
 }
 
+std::function<void(double, std::span<Vec<double>>)> blend(const MeshSequence& first,
+                                                          const MeshSequence& second,
+                                                          std::function<double(double)> weight) {
+    if (!weight) throw std::invalid_argument("a blend needs a weight");
+    if (first.first().complex != second.first().complex)
+        throw std::invalid_argument("a blend is of two sequences of the same faces");
+    return [first, second, weight = std::move(weight), other = second.first().positions](
+               double t, std::span<Vec<double>> positions) mutable {
+        first(t, positions);
+        second(t, other);
+        const double part = weight(t);
+        for (std::size_t v = 0; v < positions.size(); ++v)
+            positions[v] += part * (other[v] - positions[v]);
+    };
+}
+
 }  // namespace plait

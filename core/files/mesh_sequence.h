@@ -63,4 +63,10 @@ private:
     std::shared_ptr<const Meshes> meshes_;
 };
 
+// From one sequence to another of the same faces: `weight(t)`, 0 to 1, is the second's part at time
+// t (s), the rest the first's. An Animation for World::pin. Throws std::invalid_argument where
+// their faces differ or there is no weight.
+std::function<void(double t, std::span<Vec<double>> positions)> blend(
+    const MeshSequence& first, const MeshSequence& second, std::function<double(double t)> weight);
+
 }  // namespace plait

@@ -126,8 +126,9 @@ void ContactSet<Real>::part(const Sweep<Real>& sweep, Contact& contact) {
     answers.move((push - contact.push) * at.normal);
     contact.push = push;
 
-    const Friction friction(a.staticFriction, b.staticFriction, a.dynamicFriction,
-                            b.dynamicFriction);
+    const double rub = frictionPart(a, b);
+    const Friction friction(rub * a.staticFriction, rub * b.staticFriction, rub * a.dynamicFriction,
+                            rub * b.dynamicFriction);
     if (!friction) return;
     const PairPoints now = endOf(sweep, contact.pair);
     Vec<double> slip{};

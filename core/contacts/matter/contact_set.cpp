@@ -208,7 +208,8 @@ void ContactSet<Real>::bend(const Sweep<Real>& sweep, const State<Real>& state) 
         const Surface& a = search_.surfaces()[search_.surfaceOf(c.pair.vertices[0])];
         const Surface& b = search_.surfaces()[search_.surfaceOf(c.pair.vertices[3])];
         const double restitution = 0.5 * (a.restitution + b.restitution);
-        const double sliding = std::clamp(0.5 * (a.dynamicFriction + b.dynamicFriction), 0.0, 1.0);
+        const double mean = 0.5 * frictionPart(a, b) * (a.dynamicFriction + b.dynamicFriction);
+        const double sliding = std::clamp(mean, 0.0, 1.0);
         if (restitution > 0) bounces_.push_back({c.pair, c.gap, restitution, sliding});
     }
     const double slow = std::max(options_.bounceThreshold, 2 * gravity_ * h_) * h_;

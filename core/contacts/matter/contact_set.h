@@ -103,6 +103,9 @@ private:
     void colour();
     template <class Body>
     void forUnits(const Contact& contact, const Body& body) const;
+    double frictionPart(const Surface& a, const Surface& b) const {
+        return &a == &b ? options_.selfFriction : options_.otherFriction;
+    }
     PairPoints startOf(const Pairing& pair) const;
     PairPoints endOf(const Sweep<Real>& sweep, const Pairing& pair) const;
     Touch touch(const Contact& contact, const PairPoints& start, const PairPoints& end) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 namespace plait {
 namespace {
@@ -19,11 +20,19 @@ Recipe<Constraint> recipeFor(const std::vector<Surface>& surfaces, const Contact
 void meet(World& world, std::vector<Surface> surfaces, const ContactOptions& options) {
     if (!isMeasure(options.recovery) || !isMeasure(options.margin) ||
         !isMeasure(options.layerShock - 1) || !isMeasure(options.bounceThreshold) ||
-        !isMeasure(options.displacementLimit))
+        !isMeasure(options.displacementLimit) || !isMeasure(options.selfFriction) ||
+        !isMeasure(options.otherFriction))
         throw std::invalid_argument(options.name +
-                                    ": recovery, margin, threshold and limit are at least 0, the "
+                                    ": recovery, margin, threshold, limit and factors of "
+                                    "friction are at least 0, the "
                                     "shock of layers at least 1");
-    for (Surface& s : surfaces) s = checked(world, s, options.name);
+    for (Surface& s : surfaces) {
+        s = checked(world, s, options.name);
+        for (const int other : s.ignores)
+            if (other < 0 || other >= std::ssize(surfaces))
+                throw std::invalid_argument(options.name + ": there is no surface " +
+                                            std::to_string(other) + " to ignore");
+    }
     Recipe<Constraint> recipe = recipeFor(surfaces, options);
     for (const LesserSurfaces& form : lesserForms(surfaces))
         recipe.offer("without " + form.without, recipeFor(form.surfaces, options));

@@ -281,7 +281,12 @@ void meetPieces(World& world, std::vector<Surface> surfaces, const ContactOption
                 const SleepOptions& sleep) {
     if (surfaces.size() != world.pieces.size())
         throw std::invalid_argument(options.name + ": there must be one surface a piece");
-    for (Surface& s : surfaces) s = checked(world, s, options.name);
+    for (Surface& s : surfaces) {
+        s = checked(world, s, options.name);
+        if (!s.ignores.empty() || options.otherFriction != 1)
+            throw std::invalid_argument(options.name +
+                                        ": pieces ignore no others, and no friction");
+    }
     if (!isMeasure(sleep.speed) || !isMeasure(sleep.delay))
         throw std::invalid_argument(options.name + ": speed and delay of sleep are from 0 on");
     const auto recipeFor = [&](const std::vector<Surface>& terms) {

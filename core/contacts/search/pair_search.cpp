@@ -16,6 +16,10 @@ PairSearch::PairSearch(const SimplicialComplex& complex, std::vector<Surface> su
       margin_(margin) {
     for (std::size_t s = 0; s < surfaces_.size(); ++s) {
         const Surface& of = surfaces_[s];
+        for (const int other : of.ignores) {
+            ignored_.resize(surfaces_.size() * surfaces_.size());
+            ignored_[s * surfaces_.size() + other] = ignored_[other * surfaces_.size() + s] = 1;
+        }
         for (int v = of.vertices.first; v < of.vertices.last; ++v) {
             surface_[v] = static_cast<int>(s);
             thickness_[v] = thicknessAt(of, v);
@@ -75,8 +79,9 @@ void PairSearch::mayMeet(Kind a, Kind b, Self self) {
 
 bool PairSearch::accepts(const Meeting& meeting, std::span<const int> a,
                          std::span<const int> b) const {
-    const int s = surface_[a[0]];
-    const bool own = s == surface_[b[0]];
+    const int s = surface_[a[0]], t = surface_[b[0]];
+    const bool own = s == t;
+    if (!ignored_.empty() && ignored_[s * surfaces_.size() + t]) return false;
     if (meeting.self == Self::vertex && !own) return false;
     if (own && (surfaces_[s].self < meeting.self ||
                 (surfaces_[s].self == Self::vertex) != (meeting.self == Self::vertex)))

@@ -121,6 +121,7 @@ private:
     static Pairing pairing(const Meeting& meeting, const Listed& listed);
 
     std::vector<Surface> surfaces_;
+    std::vector<std::uint8_t> ignored_;  // by two surfaces, 1 where they meet not; empty: all do
     std::vector<int> surface_;
     std::vector<double> thickness_;
     std::vector<unsigned char> pinned_;

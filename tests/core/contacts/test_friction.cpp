@@ -224,3 +224,30 @@ TEST_CASE("layers: the lower one yields less, by the shock, whatever the differe
         CHECK(std::fabs(v[0].x - v[1].x) < 1e-9);
     }
 }
+
+// Of Vellum: one factor for what meets its own surface, one for what meets others.
+TEST_CASE("friction: factors take it away among its own, or from others",
+          "[contacts][friction][FR7]") {
+    const auto measured = [](bool own, double self, double other) {
+        World world;
+        const Range lower = addSlope(world, 0);
+        const Range upper = addPoint(world, {0, 2 * skin, 0}, 1, {4, 0, 0});
+        world.act<Gravity>(GravityOptions{});
+        std::vector<Surface> surfaces(own ? 1 : 2, rough(0.4, 0.4));
+        surfaces[0].vertices = own ? Range{lower.first, upper.last} : lower;
+        if (!own) surfaces[1].vertices = upper;
+        meet(world, surfaces, {.selfFriction = self, .otherFriction = other});
+        Solver<float> solver(world, meeting(20));
+        advance(solver, 6);
+        CHECK(solver.positions().back().y == Approx(2 * skin).margin(1e-5));
+        return (4 - solver.velocities().back().x) / (g * 0.25);
+    };
+    for (const bool own : {true, false})
+        for (const double part : {0.0, 0.5, 1.0, 2.0}) {
+            CHECK(report("friction of its class, off",
+                         std::fabs(measured(own, own ? part : 1, own ? 1 : part) - 0.4 * part),
+                         0.01));
+            CHECK(report("friction of the other class, off",
+                         std::fabs(measured(own, own ? 1 : part, own ? part : 1) - 0.4), 0.01));
+        }
+}

@@ -249,3 +249,43 @@ TEST_CASE("one solver: for particles alone one substep and one pass do as well",
     CHECK(report("places, as nobody says, m", usual.error, 1e-9));
     CHECK(10 * cheap.work < usual.work);
 }
+
+// Three sheets that fall on a fourth: the second lets the first through, and all else stays.
+TEST_CASE("one solver: two that ignore each other pass, and meet all others as before",
+          "[contacts][LY4]") {
+    const auto fall = [](std::vector<int> ignores) {
+        World world;
+        std::vector<Surface> surfaces;
+        for (int i = 0; i < 3; ++i)
+            surfaces.push_back(
+                {.vertices = addFalling(world, 0.03 + 0.03 * i, 0), .thickness = 0.01});
+        surfaces[1].ignores = std::move(ignores);
+        std::vector<int> floor(36);
+        const Range below = addFalling(world, 0, 0);
+        for (int v = 0; v < 36; ++v) floor[static_cast<std::size_t>(v)] = below.first + v;
+        world.pin(floor);
+        surfaces.push_back({.vertices = below, .thickness = 0.01});
+        world.act<Gravity>(GravityOptions{});
+        world.constrain(linksOf(world), {.name = "links"});
+        meet(world, surfaces, {.order = 1});
+        Solver<float> solver(world, meeting(10, 4));
+        advance(solver, 6);
+        const Points x = solver.positions();
+        std::array<double, 3> heights{};
+        for (int i = 0; i < 3; ++i)
+            heights[static_cast<std::size_t>(i)] = meanOf(x, {36 * i, 36 * (i + 1)}).y;
+        return heights;
+    };
+    const auto all = fall({}), one = fall({0}), both = fall({0, 2});
+    // On the floor, and one on the other: 2 cm to a layer.
+    for (int i : {0, 1, 2}) CHECK(std::fabs(all[i] - 0.02 * (i + 1)) < 2e-3);
+    CHECK(std::fabs(one[0] - 0.02) < 2e-3);
+    CHECK(std::fabs(one[1] - 0.02) < 2e-3);
+    CHECK(std::fabs(one[2] - 0.04) < 2e-3);
+    CHECK(std::fabs(both[1] - 0.02) < 2e-3);
+    CHECK(std::fabs(both[2] - 0.04) < 2e-3);
+    World world;
+    const Range sheet = addFalling(world, 0, 0);
+    CHECK_THROWS_WITH(meet(world, {{.vertices = sheet, .ignores = {1}}}),
+                      "contacts: there is no surface 1 to ignore");
+}

@@ -254,3 +254,38 @@ TEST_CASE("sequence: caches mutilated at random are read or refused, never worse
     CHECK(read > 200);
     CHECK(refused > 200);
 }
+
+TEST_CASE("sequence: a blend goes straight from one to the other", "[sequence][CA12]") {
+    const ScratchFolder folder, other;
+    writeTetrahedra(folder, 9);
+    write(other / "body.pc2", pc2(3, 2, 2, twoSamples));
+    write(other / "body.obj", triangle);
+    const MeshSequence slow(folder / "*.obj", {.frameRate = 4}),
+        fast(folder / "*.obj", {.frameRate = 8});
+    const auto animation = blend(slow, fast, [](double t) { return t; });
+    double worst = 0, apartMost = 0;
+    for (const double t : {0.0, 0.25, 0.6, 1.0}) {
+        Points x(4), expected = at(slow, t);
+        const Points to = at(fast, t);
+        apartMost = std::max(apartMost, apart(expected, to));
+        for (std::size_t v = 0; v < 4; ++v) expected[v] += t * (to[v] - expected[v]);
+        animation(t, x);
+        worst = std::max(worst, apart(x, expected));
+    }
+    CHECK(apartMost > 0.1);
+    CHECK(report("off the straight way between both, m", worst, 1e-15));
+
+    World world;
+    const Range body = world.add(slow.first());
+    world.pin(pointStencils(body), animation);
+    Solver<double> solver(world, {});
+    for (int frame = 1; frame <= 24; ++frame) {
+        solver.frame();
+        Points x(4);
+        animation(solver.time(), x);
+        CHECK(apart(solver.positions(), x) < 1e-15);
+    }
+    CHECK_THROWS_AS(blend(slow, MeshSequence(other / "body.pc2"), [](double) { return 0; }),
+                    std::invalid_argument);
+    CHECK_THROWS_AS(blend(slow, fast, nullptr), std::invalid_argument);
+}
