@@ -368,6 +368,21 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                     .text = "solid"},
                    mendingKnob(1)},
          .build = sheetOnSphere},
+        {.name = "sheet-slinky",
+         .title = "Sheet slinky",
+         .lesson =
+             "A coil is held by the twist of its wire, and the twist of a tube is the shear of "
+             "its walls: where shear is not resisted it collapses",
+         .ingredients = {"stretch", "shear", "contact", "friction", "gravity"},
+         .omissions = {"bending of the sheet: of a tube so thin it adds nothing",
+                       "air: both lose their speed alike"},
+         .knobs = {{.name = "shear",
+                    .meaning = "what the left one's walls resist: modulus times thickness",
+                    .unit = "kN/m",
+                    .value = 100,
+                    .low = 0,
+                    .high = 1000}},
+         .build = sheetSlinky},
         {.name = "slinky",
          .title = "Slinky on the stairs",
          .lesson = "A walk is nothing but a wire: bent and twisted, it swings over by itself, step "
