@@ -22,6 +22,7 @@ namespace plait {
 namespace {
 
 constexpr double width = 3, height = 2, depth = 0.9;  // m, as in handball
+constexpr double lowest = 0.03;                       // m, of the net above the ground
 constexpr double cord = 0.012;                        // kg/m
 constexpr double stiffness = 2e4;    // N, of a cord of polypropylene, 4 mm thick: force over strain
 constexpr double thickness = 0.002;  // m, to either side of cords and ball
@@ -41,7 +42,7 @@ struct Net {
 // The mouth is at z = 0, the back at z = -depth.
 Vec<double> placeOf(const Net& net, double column, double row) {
     const double s = (width + 2 * depth) * column / net.columns;
-    const double y = height * (1 - row / net.rows);
+    const double y = lowest + (height - lowest) * (1 - row / net.rows);
     if (s < depth) return {-width / 2, y, -s};
     if (s > depth + width) return {width / 2, y, s - 2 * depth - width};
     return {s - depth - width / 2, y, -depth};

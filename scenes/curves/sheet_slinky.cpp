@@ -58,8 +58,29 @@ Shape tubeAlong(const Vec<double>& top) {
     return shape;
 }
 
-// Around the tube and along it lengths are kept; across its walls nothing but shear resists. `wall`
-// (N/m): the modulus of shear times the thickness of the sheet; 0: none.
+// Of both triangles of each wall, from an edge around or along the tube on: measured from a
+// diagonal the same shear would count less. `wall` in N/m: the modulus of shear times the
+// thickness.
+Rows<Shear> shearOf(const World& world, Range tube, double wall) {
+    std::vector<int> stencils;
+    for (int low = tube.first; low + sides < tube.last; low += sides)
+        for (int k = 0; k < sides; ++k) {
+            const int a = low + k, b = low + (k + 1) % sides;
+            stencils.insert(stencils.end(), {a, b, a + sides, b + sides, a + sides, b});
+        }
+    auto shear = restRows<Shear>(stencils, world.rest);
+    for (std::size_t i = 0; i < shear.rows.size(); ++i) {
+        std::array<Vec<double>, 3> x;
+        for (std::size_t a = 0; a < 3; ++a)
+            x[a] = world.rest[static_cast<std::size_t>(stencils[3 * i + a])];
+        const double area = 0.5 * length(cross(x[1] - x[0], x[2] - x[0]));
+        shear.rows[i].compliance = 1 / (wall * area);
+    }
+    return shear;
+}
+
+// Around the tube and along it lengths are kept; across its walls nothing but shear resists, and
+// nothing if `wall` is 0.
 // Returns the links that keep their lengths.
 std::vector<int> holdTube(World& world, Range tube, double wall, const char* name) {
     Chains chains;
@@ -80,17 +101,7 @@ std::vector<int> holdTube(World& world, Range tube, double wall, const char* nam
     }
     chains.addCurve(order);
     chains.add(stretch);
-    if (wall > 0) {
-        auto shear = restRows<Shear>(triangleStencils(world.complex, tube), world.rest);
-        for (std::size_t i = 0; i < shear.rows.size(); ++i) {
-            std::array<Vec<double>, 3> x;
-            for (std::size_t a = 0; a < 3; ++a)
-                x[a] = world.rest[static_cast<std::size_t>(shear.ids[3 * i + a])];
-            const double area = 0.5 * length(cross(x[1] - x[0], x[2] - x[0]));
-            shear.rows[i].compliance = 1 / (wall * area);
-        }
-        chains.add(shear);
-    }
+    if (wall > 0) chains.add(shearOf(world, tube, wall));
     chains.constrain(world, {.name = name});
     return stretch.ids;
 }
@@ -133,9 +144,8 @@ Scene sheetSlinky(const Knobs& knobs) {
     World& world = scene.world;
     const double wall = 1000 * knobs.number("shear");
     const Range left = addTube(world, -0.2), right = addTube(world, 0.2);
-    std::vector<int> kept = holdTube(world, left, wall, "with shear");
-    const std::vector<int> others = holdTube(world, right, 0, "without");
-    kept.insert(kept.end(), others.begin(), others.end());
+    const std::vector<int> kept = holdTube(world, left, wall, "with shear"),
+                           others = holdTube(world, right, 0, "without");
     world.act<Gravity>(GravityOptions{});
     const auto surface = [](Range tube) { return roughSurface(tube, thickness, 0.3); };
     meet(world, {surface(left), surface(right)}, {.order = 1});

@@ -26,7 +26,7 @@ constexpr int cordLinks = 64, turnLinks = 24;
 constexpr double curl = 0.024, pitch = 0.007;  // m, of a tendril's turns
 // Of cotton, and of a plant.
 constexpr Wire limp{.youngs = 1e6, .poisson = 0.3, .density = 900, .along = 0.011};
-constexpr Wire stem{.youngs = 1e7, .poisson = 0.45, .density = 1000, .along = 0.0055};
+constexpr Wire stem{.youngs = 1.5e7, .poisson = 0.45, .density = 1000, .along = 0.0055};
 
 // m, of the bar along x.
 double swayAt(double t) {
