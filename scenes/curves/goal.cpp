@@ -98,8 +98,8 @@ void holdCords(World& world, const std::vector<std::vector<int>>& curves, const 
     chains.constrain(world, {.name = name});
 }
 
-// Hooks of the frame, outside of the net, and ties that only pull. Returns pairs of hook and knot.
-std::vector<int> addTies(World& world, const Net& net, double slackLength) {
+// Hooks of the frame, outside of the net, and ties that only pull.
+void addTies(World& world, const Net& net, double slackLength) {
     std::vector<int> knots;
     Shape hooks;
     const auto tie = [&](int knot, const Vec<double>& off) {
@@ -121,7 +121,6 @@ std::vector<int> addTies(World& world, const Net& net, double slackLength) {
         ties.rows.push_back({slackLength, slackLength / stiffness, slack});
     }
     world.constrain(ties, {.name = "ties", .order = 1});
-    return ties.ids;
 }
 
 // It is to meet the back at this place.
@@ -161,13 +160,13 @@ Metric momentum(const std::string& name, const World& world, const std::vector<R
 // Ivory, with a patch of vermilion round each corner of the icosahedron it is made from.
 Look ballLook(const World& world, const Piece& ball) {
     Look look = lookOf(ball.surface(), Material::rubber, 0);
-    for (int v = ball.surface().first; v < ball.surface().last; ++v) {
+    const int first = ball.surface().first;
+    for (int v = first; v < ball.surface().last; ++v) {
         double nearest = 1;
-        for (int corner = 0; corner < 12; ++corner)
-            nearest = std::min(
-                nearest,
-                length(world.start[static_cast<std::size_t>(v)] -
-                       world.start[static_cast<std::size_t>(ball.surface().first + corner)]));
+        for (std::size_t corner = 0; corner < 12; ++corner)
+            nearest =
+                std::min(nearest, length(world.start[static_cast<std::size_t>(v)] -
+                                         world.start[static_cast<std::size_t>(first) + corner]));
         look.colors.push_back(nearest < 0.42 * radius ? std::array{0.578, 0.032, 0.014}
                                                       : std::array{0.880, 0.791, 0.658});
     }
@@ -184,6 +183,18 @@ void addFrame(View& view, double off) {
     }
     addBar(view, {-x - bar, y, off}, {x + bar, y, off}, bar, Material::steel);
     addBar(view, {-x, y, back}, {x, y, back}, 0.6 * bar, Material::steel);
+}
+
+View viewOf(const World& world, const Net& net, const Piece& ball, double slackLength) {
+    View view;
+    view.looks = {lookOf(net.vertices, Material::cotton, 0.004), ballLook(world, ball)};
+    view.looks[0].material = Material::rubber;
+    view.looks[0].color = {0.880, 0.791, 0.658};
+    view.cameras = {{.eye = {2.6, 1.5, -4.6}, .target = {0.15, 0.95, -0.4}, .focalLength = 38}};
+    view.groundSize = 3;
+    view.glowCenter = {-0.5, 1.2, 4};
+    addFrame(view, slackLength / 2);
+    return view;
 }
 
 }  // namespace
@@ -217,17 +228,11 @@ Scene goal(const Knobs& knobs) {
                      selfIntersections(world, {net.vertices.first, ball.vertices.last}, {0, 0}),
                      greatestStrain(world, net.vertices, {-5, 5}), contactFailures()};
 
-    View& view = scene.view;
-    view.looks = {lookOf(net.vertices, Material::cotton, 0.004), ballLook(world, ball)};
-    view.looks[0].material = Material::rubber;
-    view.looks[0].color = {0.880, 0.791, 0.658};
-    view.cameras = {{.eye = {2.6, 1.5, -4.6}, .target = {0.15, 0.95, -0.4}, .focalLength = 38}};
-    view.groundSize = 3;
-    view.glowCenter = {-0.5, 1.2, 4};
-    addFrame(view, slackLength / 2);
+    scene.view = viewOf(world, net, ball, slackLength);
     const double hit = (away + depth) / speed;
-    view.takes = {{.from = 0, .to = scene.seconds},
-                  {.from = hit - 0.12, .to = hit + 0.5, .slow = 5, .words = "5 times slower"}};
+    scene.view.takes = {
+        {.from = 0, .to = scene.seconds},
+        {.from = hit - 0.12, .to = hit + 0.5, .slow = 5, .words = "5 times slower"}};
     return scene;
 }
 

@@ -47,8 +47,8 @@ constexpr std::array cords{Cord{1.06, 2.1}, Cord{0.78, 1.36}, Cord{0.5, 0.74}};
 // From both ends straight to the middle.
 Shape vee(const Cord& cord) {
     Shape shape = chain({.links = cordLinks});
-    const double half = cord.span / 2, long_ = cord.length / 2,
-                 drop = std::sqrt(long_ * long_ - half * half);
+    const double half = cord.span / 2, halfLength = cord.length / 2,
+                 drop = std::sqrt(halfLength * halfLength - half * half);
     for (int i = 0; i <= cordLinks; ++i) {
         const double s = 2.0 * i / cordLinks - 1;
         shape.positions[static_cast<std::size_t>(i)] = {half * s, drop * (std::fabs(s) - 1), 0};
@@ -85,7 +85,7 @@ Metric offCatenary(Range cord, const Cord& shape, Band band) {
         .low = band.low,
         .high = band.high,
         .from = band.from,
-        .caption = true};
+        .caption = shape.length == cords.front().length};
 }
 
 struct Tendril {

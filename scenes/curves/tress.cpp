@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -118,9 +119,33 @@ Metric offScalp(Range points, const Solid& solid, Band band) {
             .high = band.high};
 }
 
+void addWind(World& world, std::uint64_t seed) {
+    actAir(world, {.density = 1.2,
+                   .drag = 1.2,
+                   .tangentialDrag = 0.1,
+                   .width = 2 * lock.along,
+                   .wind = {.velocity = [](double t) { return Vec<double>{windAt(t), 0, 0}; },
+                            .noise = 0.7,
+                            .noiseLength = 0.12,
+                            .noiseTime = 0.15,
+                            .noiseDrift = {2.5, 0, 0},
+                            .seed = seed}});
+}
+
 void addHead(View& view) {
     view.props.push_back({turned(headProfile(), 96), Material::matte, {0.62, 0.53, 0.43}});
     addBar(view, {0, -0.7, 0}, {0, -0.97 * chin, 0}, 0.011, Material::brass);
+}
+
+View viewOf(Range points) {
+    View view =
+        plait::viewOf({points}, {0.13, -0.06, 0}, 0.5, Material::brushed, {0.12, 0.16, 1.95});
+    view.looks[0].color = {0.36, 0.095, 0.028};
+    view.looks[0].section = {.along = lock.along};
+    view.looks[0].radius = 0;
+    view.ground = false;
+    addHead(view);
+    return view;
 }
 
 }  // namespace
@@ -137,16 +162,7 @@ Scene tress(const Knobs& knobs) {
         world.pin({rod.points.first, rod.points.first + 1, rod.directors.first});
     const Range points{rods.front().points.first, rods.back().points.last};
     world.act<Gravity>(GravityOptions{});
-    actAir(world, {.density = 1.2,
-                   .drag = 1.2,
-                   .tangentialDrag = 0.1,
-                   .width = 2 * lock.along,
-                   .wind = {.velocity = [](double t) { return Vec<double>{windAt(t), 0, 0}; },
-                            .noise = 0.7,
-                            .noiseLength = 0.12,
-                            .noiseTime = 0.15,
-                            .noiseDrift = {2.5, 0, 0},
-                            .seed = knobs.seed}});
+    addWind(world, knobs.seed);
     const Solid solid = Solid::turned(Profile(headProfile()));
     const Surface hair{
         .vertices = points, .thickness = thickness, .staticFriction = 0.2, .dynamicFriction = 0.2};
@@ -164,13 +180,7 @@ Scene tress(const Knobs& knobs) {
         offScalp(points, solid, {0.25 * 1000 * thickness, std::numeric_limits<double>::infinity()}),
         contactFailures()};
 
-    View& view = scene.view;
-    view = viewOf({points}, {0.13, -0.06, 0}, 0.5, Material::brushed, {0.12, 0.16, 1.95});
-    view.looks[0].color = {0.36, 0.095, 0.028};
-    view.looks[0].section = {.along = lock.along};
-    view.looks[0].radius = 0;
-    view.ground = false;
-    addHead(view);
+    scene.view = viewOf(points);
     return scene;
 }
 
