@@ -90,7 +90,7 @@ TEST_CASE("goal: ball and net keep their momentum until the posts act",
     CHECK(report("change of momentum, float", single.worst, 1e-6));
 }
 
-TEST_CASE("goal: the net stops the ball", "[scenes][rods][contacts][figures][FX26]") {
+TEST_CASE("goal: the net stops the ball", "[scenes][rods][contacts][long][FX26]") {
     const Scene scene = draftOf("goal");
     const Range ball = scene.view.looks[1].object;
     const auto x = holdToBands(scene, 120);
@@ -99,7 +99,7 @@ TEST_CASE("goal: the net stops the ball", "[scenes][rods][contacts][figures][FX2
 }
 
 TEST_CASE("sheet slinky: shear of its walls holds it, and nothing else",
-          "[scenes][rods][contacts][figures][DC2][FX4]") {
+          "[scenes][rods][contacts][long][DC2][FX4]") {
     const Scene scene = draftOf("sheet-slinky");
     const auto x = holdToBands(scene, 96);
     const Range limp = scene.view.looks[1].object;
