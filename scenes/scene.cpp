@@ -377,7 +377,8 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
          .omissions = {"bending of the sheet: of a tube so thin it adds nothing",
                        "air: both lose their speed alike"},
          .knobs = {{.name = "shear",
-                    .meaning = "what the left one's walls resist: modulus times thickness",
+                    .meaning = "what the left one's walls resist: modulus times thickness; below "
+                               "60 it springs back from the floor, and frames take half a minute",
                     .unit = "kN/m",
                     .value = 100,
                     .low = 0,
