@@ -378,7 +378,7 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                        "air: both lose their speed alike"},
          .knobs = {{.name = "shear",
                     .meaning = "what the left one's walls resist: modulus times thickness; below "
-                               "60 it springs back from the floor, and frames take half a minute",
+                               "60 it springs back from the floor, and frames take tens of seconds",
                     .unit = "kN/m",
                     .value = 100,
                     .low = 0,
