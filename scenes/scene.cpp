@@ -2,6 +2,7 @@
 
 #include "balloon/balloon.h"
 #include "basics/basics.h"
+#include "curves/curves.h"
 #include "dress.h"
 #include "flag.h"
 #include "glass/glass.h"
@@ -203,6 +204,31 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                     .low = 0.5,
                     .high = 20}},
          .build = glass},
+        {.name = "goal",
+         .title = "Goal",
+         .lesson = "Curves and what is rigid are solved as one: what the ball loses the net gains, "
+                   "until the posts act",
+         .ingredients = {"stretch", "contact", "friction", "pieces", "gravity"},
+         .omissions = {"air: it would slow ball and net", "bending: cords are limp"},
+         .knobs = {{.name = "speed",
+                    .meaning = "of the ball, along the ground",
+                    .unit = "m/s",
+                    .value = 18,
+                    .low = 2,
+                    .high = 30},
+                   {.name = "slack",
+                    .meaning = "length of the ties from posts to net, which start half drawn out",
+                    .unit = "m",
+                    .value = 0.08,
+                    .low = 0.01,
+                    .high = 0.5},
+                   {.name = "gravity",
+                    .meaning = "0: the net floats, and nothing but ties changes its momentum",
+                    .unit = "m/s^2",
+                    .value = 9.81,
+                    .low = 0,
+                    .high = 9.81}},
+         .build = goal},
         {.name = "hanging-sheet",
          .title = "Hanging sheet",
          .lesson = "An inextensible sheet on two pins is the hardest easy scene",
@@ -343,6 +369,22 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                     .text = "solid"},
                    mendingKnob(1)},
          .build = sheetOnSphere},
+        {.name = "sheet-slinky",
+         .title = "Sheet slinky",
+         .lesson =
+             "A coil is held by the twist of its wire, and the twist of a tube is the shear of "
+             "its walls: where shear is not resisted it collapses",
+         .ingredients = {"stretch", "shear", "contact", "friction", "gravity"},
+         .omissions = {"bending of the sheet: of a tube so thin it adds nothing",
+                       "air: both lose their speed alike"},
+         .knobs = {{.name = "shear",
+                    .meaning = "what the left one's walls resist: modulus times thickness; below "
+                               "60 it springs back from the floor, and frames take tens of seconds",
+                    .unit = "kN/m",
+                    .value = 100,
+                    .low = 0,
+                    .high = 1000}},
+         .build = sheetSlinky},
         {.name = "slinky",
          .title = "Slinky on the stairs",
          .lesson = "A walk is nothing but a wire: bent and twisted, it swings over by itself, step "
@@ -403,6 +445,14 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                     .low = 0,
                     .high = 0.5}},
          .build = tablecloth},
+        {.name = "tendrils",
+         .title = "Tendrils",
+         .lesson = "What is limp hangs as a catenary, whatever it is made of; what is curled hangs "
+                   "as a spring, whose wire alone says how far",
+         .ingredients = {"stretch", "bend", "twist", "gravity"},
+         .omissions = {"air: all loses its speed alike, so that it comes to rest",
+                       "contact: nothing meets"},
+         .build = tendrils},
         {.name = "trampoline",
          .title = "Trampoline",
          .lesson = "Contact works both ways: what lands on a sheet moves it, and it throws back",
@@ -415,6 +465,20 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                     .low = 0.1,
                     .high = 1.5}},
          .build = trampoline},
+        {.name = "tress",
+         .title = "Tress",
+         .lesson =
+             "A hair is a wire: what it weighs draws its waves out at the root, and what bends "
+             "and twists it brings them back at the tip",
+         .ingredients = {"stretch", "bend", "twist", "contact", "friction", "gravity", "air"},
+         .omissions = {"hairs one by one: a strand is a lock of a hundred that slide on each other",
+                       "wake: each lock meets the wind as if it were alone"},
+         .knobs = {{.name = "locks",
+                    .meaning = "how many there are",
+                    .value = 120,
+                    .low = 1,
+                    .high = 400}},
+         .build = tress},
         {.name = "two-balloons",
          .title = "Two balloons",
          .lesson =

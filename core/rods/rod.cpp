@@ -1,9 +1,8 @@
 #include "rod.h"
 
 #include "../numbers/elementary.h"
-#include "bend_vector.h"
 #include "chain_set.h"
-#include "frame_rows.h"
+#include "rod_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,31 +21,32 @@ public:
         if (framed()) arm_ = armOf();
     }
 
-    Rod addTo(World& world) {
-        Rod rod;
-        rod.points = world.add(curve_, {.density = options_.wire.density * options_.wire.area()});
-        if (!framed()) return rod;
-        rod.directors = world.add({SimplicialComplex(edges_), directors()});
-        for (int e = 0; e < edges_; ++e) {
-            const double mass = directorMass(e);
-            world.mass[rod.directors.first + e] = mass;
-            for (const int v : {e, next(e)}) world.mass[rod.points.first + v] -= mass / 2;
-        }
-        return rod;
+    Range addPoints(World& world) const {
+        return world.add(curve_, {.density = options_.wire.density * options_.wire.area()});
     }
 
-    Chains chains(const World& world, const Rod& rod) const {
-        Chains all;
+    Range addDirectors(World& world, const Range& points) const {
+        if (!framed()) return {};
+        const Range all = world.add({SimplicialComplex(edges_), directors()});
+        for (int e = 0; e < edges_; ++e) {
+            const double mass = directorMass(e);
+            world.mass[all.first + e] = mass;
+            for (const int v : {e, next(e)}) world.mass[points.first + v] -= mass / 2;
+        }
+        return all;
+    }
+
+    void hold(const World& world, const Rod& rod, Chains& chains, RodRows& all) const {
         all.add(restRows<Stretch>(stencils(rod, edges_, 2), world.rest));
         std::vector<int> order;
         for (int v = 0; v < vertices_; ++v) {
             order.push_back(rod.points.first + v);
             if (framed() && v < edges_) order.push_back(rod.directors.first + v);
         }
-        all.addCurve(order);
+        chains.addCurve(order);
         switch (options_.model) {
             case RodModel::framed:
-                holdFrames(all, world, rod);
+                holdFrames(chains, all, world, rod);
                 break;
             case RodModel::curved:
                 holdCurve(all, world, rod);
@@ -55,7 +55,6 @@ public:
                 holdStraight(all, rod);
                 break;
         }
-        return all;
     }
 
 private:
@@ -172,13 +171,13 @@ private:
         return cross(t, alongX ? Vec<double>{0, 1, 0} : Vec<double>{1, 0, 0});
     }
 
-    void holdFrames(Chains& all, const World& world, const Rod& rod) const {
+    void holdFrames(Chains& chains, RodRows& all, const World& world, const Rod& rod) const {
         const int d = rod.directors.first;
         std::vector<int> held;
         for (int e = 0; e < edges_; ++e) {
             const std::array edge{rod.points.first + e, rod.points.first + next(e)};
             held.insert(held.end(), {edge[0], edge[1], d + e});
-            all.ride({d + e, edge});
+            chains.ride({d + e, edge});
         }
         Rows<FrameTurn> turns;
         const std::vector<int> points = stencils(rod, joints_, 3);
@@ -207,7 +206,7 @@ private:
     }
 
     // Torsion is the dihedral angle of the planes at both ends of an edge, pi where those are one.
-    void holdCurve(Chains& all, const World& world, const Rod& rod) const {
+    void holdCurve(RodRows& all, const World& world, const Rod& rod) const {
         auto angles = restRows<Angle>(stencils(rod, joints_, 3), world.rest);
         for (int j = 0; j < joints_; ++j) {
             auto& row = angles.rows[j];
@@ -237,7 +236,7 @@ private:
         all.add(torsion);
     }
 
-    void holdStraight(Chains& all, const Rod& rod) const {
+    void holdStraight(RodRows& all, const Rod& rod) const {
         Rows<BendVector> bends;
         bends.ids = stencils(rod, joints_, 3);
         for (int j = 0; j < joints_; ++j)
@@ -254,11 +253,27 @@ private:
 
 }  // namespace
 
+std::vector<Rod> addRods(World& world, std::span<const Shape> curves, const RodOptions& options,
+                         SetOptions set) {
+    std::vector<RodMaker> makers;
+    std::vector<Rod> rods;
+    for (const Shape& curve : curves) {
+        makers.emplace_back(curve, options, set.name);
+        rods.push_back({makers.back().addPoints(world), {}});
+    }
+    Chains chains;
+    RodRows rows;
+    for (std::size_t i = 0; i < rods.size(); ++i) {
+        rods[i].directors = makers[i].addDirectors(world, rods[i].points);
+        makers[i].hold(world, rods[i], chains, rows);
+    }
+    rows.addTo(chains);
+    chains.constrain(world, std::move(set));
+    return rods;
+}
+
 Rod addRod(World& world, const Shape& curve, const RodOptions& options, SetOptions set) {
-    RodMaker maker(curve, options, set.name);
-    const Rod rod = maker.addTo(world);
-    maker.chains(world, rod).constrain(world, std::move(set));
-    return rod;
+    return addRods(world, std::span(&curve, 1), options, std::move(set)).front();
 }
 
 }  // namespace plait

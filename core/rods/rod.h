@@ -3,6 +3,7 @@
 
 #include "../world.h"
 
+#include <span>
 #include <vector>
 
 namespace plait {
@@ -60,5 +61,10 @@ struct Rod {
 // std::invalid_argument, naming the rod and the value, for one out of range, a curve of another
 // kind, and an arm too short for the inertia.
 Rod addRod(World& world, const Shape& curve, const RodOptions& options, SetOptions set);
+
+// The same of any number of curves, in one set: of equal joints they run side by side, a
+// lane each. Their points follow each other, and after these all their directors.
+std::vector<Rod> addRods(World& world, std::span<const Shape> curves, const RodOptions& options,
+                         SetOptions set);
 
 }  // namespace plait

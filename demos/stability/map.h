@@ -50,6 +50,7 @@ StabilityMap massRatioMap();
 StabilityMap stiffnessRatioMap();
 StabilityMap chainLengthMap();
 StabilityMap resolutionMap();
+StabilityMap rodSegmentsMap();
 StabilityMap rotationMap();
 StabilityMap bdf2SweepsMap();
 StabilityMap bulletMap();

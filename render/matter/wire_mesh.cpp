@@ -58,7 +58,8 @@ void appendWireVertices(std::span<const WirePoint> path, std::span<const WireLoo
             vertices.push_back(
                 {.position = p.place + place.x * p.director + place.y * across,
                  .normal = cap != 0 ? cap * p.tangent : normal.x * p.director + normal.y * across,
-                 .tangent = p.tangent,
+                 // A cap has no grain of its own, but one along its normal would be none.
+                 .tangent = cap != 0 ? p.director : p.tangent,
                  .uv = {look.relief, 0},
                  .tint = look.tint,
                  .cavity = 1,

@@ -1,5 +1,7 @@
 #include "slinky.h"
 
+#include "../parts/hung_helix.h"
+
 #include <plait/complex/shapes.h>
 #include <plait/constraints/constants.h>
 #include <plait/numbers/arctangent.h>
@@ -19,35 +21,12 @@ double around(const Slinky& slinky) { return 2 * pi * slinky.radius; }
 
 double levelPitch(const Slinky& slinky) { return arctangent2(slinky.wire.across, around(slinky)); }
 
-// A helix that hangs by a force along its axis.
-struct Hung {
-    double pitch;   // rad
-    double radius;  // m
-};
-
-// Balance of twist and bending in a cross-section: C (sin a cos a / r - t0) = F r cos a and
-// B (cos^2 a / r - k0) = -F r sin a (Love, "Mathematical theory of elasticity", on helical
-// springs), by Newton's method from `at`.
-Hung hungBy(const Slinky& slinky, double force, Hung at) {
-    const double level = levelPitch(slinky);
-    const double r0 = slinky.radius, bending = slinky.wire.bendingSide();
-    // A coil of straight links is stiffer (tests/core/rods): by 2 % at 24 a turn.
+// A coil of straight links is stiffer (tests/core/rods): by 2 % at 24 a turn.
+Helix hungBy(const Slinky& slinky, double force, const Helix& at) {
     const double twisting =
         slinky.wire.twisting() * (1 + 7 * pi * pi / (6.0 * slinky.links * slinky.links));
-    for (int round = 0; round < 20; ++round) {
-        const double s = sine(at.pitch), c = cosine(at.pitch), r = at.radius;
-        const double twist =
-            twisting * (s * c / r - sine(level) * cosine(level) / r0) - force * r * c;
-        const double bend =
-            bending * (c * c / r - cosine(level) * cosine(level) / r0) + force * r * s;
-        const double a = twisting * (c * c - s * s) / r + force * r * s,
-                     b = -twisting * s * c / (r * r) - force * c,
-                     d = -2 * bending * s * c / r + force * r * c,
-                     e = -bending * c * c / (r * r) + force * s;
-        at.pitch -= (twist * e - b * bend) / (a * e - b * d);
-        at.radius -= (a * bend - d * twist) / (a * e - b * d);
-    }
-    return at;
+    return hungBy({levelPitch(slinky), slinky.radius}, {slinky.wire.bendingSide(), twisting}, force,
+                  at);
 }
 
 }  // namespace
@@ -114,7 +93,7 @@ void hang(World& world, const Slinky& slinky, const Rod& rod) {
     while (!world.pinned[rod.points.first + e]) ++e;
     const double l = length(world.rest[1] - world.rest[0]),
                  weight = slinky.wire.density * slinky.wire.area() * l * g;
-    std::vector<Hung> links{{levelPitch(slinky), slinky.radius}};
+    std::vector<Helix> links{{levelPitch(slinky), slinky.radius}};
     for (int i = 0; i < e; ++i) links.push_back(hungBy(slinky, (i + 0.5) * weight, links.back()));
 
     std::vector<Vec<double>>& x = world.start;

@@ -171,6 +171,7 @@ TEST_CASE("stability: the sheet's fastest mode", "[stability]") {
 TEST_CASE("stability: boundaries stay where they are", "[stability][figures]") {
     checkMap("chain-length", {}, 3);
     checkMap("rotation", {}, 2);
+    checkMap("rod-segments", {}, 2);
     checkMap("speed-thickness", {}, 2);
     checkMap("layers-passes", {}, 1);
     checkMap("stiffness-ratio", {"xpbd"}, 2);

@@ -1,6 +1,5 @@
 // Small scenes in which matter meets matter, against mechanics.
-#include "scenes/scene.h"
-#include "tests/catch.h"
+#include "bands.h"
 #include "tests/core/contacts/contact_worlds.h"
 #include "tests/report.h"
 
@@ -15,34 +14,10 @@ namespace {
 constexpr double g = 9.81;
 
 Scene sceneWith(const std::string& name, const std::string& knob, double value) {
-    const SceneEntry& entry = findScene(name);
-    Knobs knobs = Knobs::defaults(entry.knobs, Quality::draft);
-    knobs.numbers.at(knob) = value;
-    return entry.build(knobs);
+    return draftOf(name, {{knob, value}});
 }
 
 int framesOf(const Scene& scene) { return static_cast<int>(24 * scene.seconds); }
-
-// All bands of a scene, in each of the frames. Returns where everything is then (m).
-Points holdToBands(const Scene& scene, int frames) {
-    Solver<float> solver(scene.world, scene.options);
-    std::vector<double> most(scene.metrics.size(), -1e300);
-    for (int frame = 1; frame <= frames; ++frame) {
-        solver.frame();
-        const Points x = solver.positions(), v = solver.velocities();
-        for (std::size_t i = 0; i < most.size(); ++i) {
-            const Metric& metric = scene.metrics[i];
-            const double value = metric.measure({x, v, solver.time(), frame, solver.failures()});
-            most[i] = std::max(most[i], value);
-            if (solver.time() < metric.from) continue;
-            INFO(metric.name << " in frame " << frame);
-            CHECK(value >= metric.low);
-            CHECK(value <= metric.high);
-        }
-    }
-    for (std::size_t i = 0; i < most.size(); ++i) note(scene.metrics[i].name + " at most", most[i]);
-    return solver.positions();
-}
 
 }  // namespace
 

@@ -131,6 +131,34 @@ TEST_CASE("rods: a coil at rest stays", "[rods]") {
     }
 }
 
+TEST_CASE("rods: those of one set move as each alone does, to the bit", "[rods]") {
+    std::vector<Shape> shapes;
+    for (const double z : {0.0, 0.1, 0.2, 0.3, 0.4})
+        shapes.push_back(
+            helix({.links = links, .radius = 0.03, .turns = 2, .pitch = 0.02 + 0.1 * z},
+                  {.origin = {0, 0, z}}));
+    const RodOptions options{.wire = {.along = 2e-3, .across = 1e-3}};
+    const auto clamp = [](World& world, const Rod& rod) {
+        world.pin({rod.points.first, rod.points.first + 1, rod.directors.first});
+    };
+    World world;
+    const std::vector<Rod> rods = addRods(world, shapes, options, {.name = "coils"});
+    for (const Rod& rod : rods) clamp(world, rod);
+    world.act<Gravity>(GravityOptions{});
+    const Run together = runFor(world, 0.5);
+    for (std::size_t i = 0; i < rods.size(); ++i) {
+        World single;
+        const Rod rod = addRod(single, shapes[i], options, {.name = "coil"});
+        clamp(single, rod);
+        single.act<Gravity>(GravityOptions{});
+        const Run alone = runFor(single, 0.5);
+        double off = 0;
+        for (int v = 0; v < rod.points.size(); ++v)
+            off = std::max(off, length(together.x[rods[i].points.first + v] - alone.x[v]));
+        CHECK(off == 0);
+    }
+}
+
 TEST_CASE("rods: one of points only droops as one with frames does", "[rods]") {
     double tip[2];
     for (const bool framed : {true, false}) {

@@ -1,0 +1,13 @@
+// Small scenes of curves: what hangs, blows, catches and carries.
+#pragma once
+
+#include "../scene.h"
+
+namespace plait {
+
+Scene goal(const Knobs&);
+Scene sheetSlinky(const Knobs&);
+Scene tendrils(const Knobs&);
+Scene tress(const Knobs&);
+
+}  // namespace plait
