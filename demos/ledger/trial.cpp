@@ -75,8 +75,8 @@ bool readTrial(const std::filesystem::path& file, const std::string& key,
 }
 
 Figures figuresOf(const Metric& metric, std::size_t column, const std::vector<MetricRow>& rows) {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    Figures figures{0, infinite, -infinite};
+    using Limits = std::numeric_limits<double>;
+    Figures figures{0, Limits::max(), Limits::lowest()};
     int frames = 0;
     for (const MetricRow& row : rows) {
         if (row.time < metric.from) continue;
