@@ -34,6 +34,15 @@ Surface checked(World& world, Surface s, const std::string& set) {
     if (!isMeasure(*s.thickness) || !std::ranges::all_of(s.radii, isMeasure) ||
         !isMeasure(s.stickiness) || !isMeasure(s.selfWidth))
         refuse("thickness, radii, stickiness and width are at least 0");
+    if (s.directors.size() != 0) {
+        const bool one = s.directors.size() == s.vertices.size() - 1 && s.directors.first >= 0 &&
+                         s.directors.last <= world.complex.count(0);
+        if (!one || std::ssize(edgeStencils(world.complex, s.vertices)) != 2L * s.directors.size())
+            refuse("a flat section is one open curve's, with a director an edge");
+        if (!s.radii.empty() || !(*s.thickness > 0 && isMeasure(s.halfWidth - *s.thickness)) ||
+            s.restitution != 0)
+            refuse("a flat section is at least as wide as thick, above 0, and does not bounce");
+    }
     for (const auto* flags : {&s.disableSelf, &s.disableExternal})
         if (!flags->empty() && (std::ssize(*flags) != s.vertices.size() ||
                                 !std::ranges::all_of(*flags, [](int f) { return f <= 1; })))

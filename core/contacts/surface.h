@@ -25,6 +25,11 @@ struct Surface {
     // the mean edge where that is less, so that neighbours do not touch as they rest.
     std::optional<double> thickness{};
     std::vector<double> radii{};  // m, one a vertex in place of the thickness: particles [CC25]
+    // Of an open curve with a flat section: half its width (m) along the director beside each edge,
+    // in the order of edges, as `Rod` has them. It meets others as an ellipse, twice the thickness
+    // across, and does not bounce.
+    Range directors{};
+    double halfWidth = 0;
     // Of a pair the mean counts, at most 1 (M 5.5). Below 0 it adds energy, and is warned of.
     double staticFriction = 0.1;   // tangent of the steepest slope on which something rests
     double dynamicFriction = 0.1;  // force along the surface over force across, while sliding

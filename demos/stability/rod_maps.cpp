@@ -19,7 +19,7 @@ namespace {
 
 // 1 m, 1 kg/m, clamped in the middle of its first link.
 constexpr double gamma = 1, bending = -gravity.y / gamma;  // w L^3 / B; N m^2
-constexpr double allowed = 0.01;                           // of the droop
+constexpr double droopAllowed = 0.01;                      // of the droop
 constexpr double height = 3;                               // m
 constexpr double trembling = 1e-3;                         // m/s
 
@@ -67,7 +67,7 @@ Outcome droop(int links, int substeps, bool atOnce) {
         return judge.see(mechanicalEnergy(world, solver), 0);
     });
     const double exact = heavyRodTip(gamma, links).drop;
-    if (!(std::fabs(drop - exact) <= allowed * exact) || speed > trembling) judge.seeDrift();
+    if (!(std::fabs(drop - exact) <= droopAllowed * exact) || speed > trembling) judge.seeDrift();
     return judge.outcome();
 }
 
@@ -105,7 +105,7 @@ double linksOfSweeps(double substeps) {
     while (bad - good > 1) {
         const int links = (good + bad) / 2;
         const bool holds = std::fabs(excessOf(links, static_cast<int>(substeps))) <=
-                           allowed * heavyRodTip(gamma, links).drop;
+                           droopAllowed * heavyRodTip(gamma, links).drop;
         (holds ? good : bad) = links;
     }
     return good;

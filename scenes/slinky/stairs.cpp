@@ -114,6 +114,8 @@ Scene slinky(const Knobs& knobs) {
     const double friction = knobs.number("friction");
     meet(world, {{.vertices = rod.points,
                   .thickness = 0.499 * slinky.wire.across,
+                  .directors = rod.directors,
+                  .halfWidth = 0.5 * slinky.wire.along,
                   .staticFriction = onWire,
                   .dynamicFriction = onWire},
                  // The mean of both counts.

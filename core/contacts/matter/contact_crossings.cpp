@@ -26,9 +26,8 @@ bool canCross(const Pairing& pair) { return pair.first + pair.second == 4; }
 template <class Real>
 void ContactSet<Real>::check(const Pairing& pair, std::vector<Contact>& list) const {
     if (failures_ && failures_->leavesOut(pair)) return;
-    const auto& v = pair.vertices;
-    const PairPoints start = startOf(pair);
-    const PairPoints end{end_[v[0]], end_[v[1]], end_[v[2]], end_[v[3]]};
+    const Rounding rounding = sections_.of(pair);
+    const PairPoints start = rounding.to(startOf(pair)), end = rounding.to(headingOf(pair));
     if (!mayMeet(pair, start, end, 0)) return;
     const Nearest now = nearest(pair, start);
     const double distance = length(now.apart), gap = gapOf(pair, now);
@@ -204,7 +203,7 @@ void ContactSet<Real>::conclude(const Sweep<Real>& sweep, Workers& workers) {
         for (int n = begin; n < end; ++n) {
             const Contact& c = contacts_[n];
             if (canCross(c.pair) || clear(sweep, watches_[n])) continue;
-            const Nearest now = nearest(c.pair, endOf(sweep, c.pair));
+            const Nearest now = nearest(c.pair, sections_.of(c.pair).to(endOf(sweep, c.pair)));
             const double least = leastPart * wholeGapOf(c.pair, now);
             count += length(now.apart) < least && c.distance >= least;
         }

@@ -42,12 +42,13 @@ double ContactSet<Real>::leastOf(const Contact& contact) const {
 
 // How high all are along `normal` when the substep begins.
 template <class Real>
-auto ContactSet<Real>::watchOf(const Contact& contact, const Vec<double>& normal,
-                               const PairPoints& start) const -> Watch {
+auto ContactSet<Real>::watchOf(const Contact& contact, const Rounding& rounding,
+                               const Vec<double>& normal, const PairPoints& start) const -> Watch {
     const Pairing& pair = contact.pair;
     Watch watch{pair.vertices, {}, {}, leastOf(contact) < 0 ? 0 : pair.first};
-    watch.normal = {static_cast<float>(normal.x), static_cast<float>(normal.y),
-                    static_cast<float>(normal.z)};
+    const Vec<double> way = rounding.back(normal);
+    watch.normal = {static_cast<float>(way.x), static_cast<float>(way.y),
+                    static_cast<float>(way.z)};
     for (int i = 0; i < 4; ++i) {
         const Vec<double> from = start[i] - start[3];
         const double height = dot(normal, from), wrong = 1e-6 * length(from);
@@ -86,12 +87,12 @@ bool ContactSet<Real>::clear(const Sweep<Real>& sweep, const Watch& watch) const
 // The same by a plane across the way between them as it is now; if so, it is watched from here on.
 // Before, too, it must have had them on either side, and far enough apart that no impact is told.
 template <class Real>
-bool ContactSet<Real>::clearNow(Contact& contact, const PairPoints& start,
+bool ContactSet<Real>::clearNow(Contact& contact, const Rounding& rounding, const PairPoints& start,
                                 const PairPoints& end) const {
     const Nearest now = nearest(contact.pair, end);
     const double distance = length(now.apart);
     if (!(distance >= contact.gap && distance > 0)) return false;
-    const Watch watch = watchOf(contact, divide(1.0, distance) * now.apart, start);
+    const Watch watch = watchOf(contact, rounding, divide(1.0, distance) * now.apart, start);
     const double least = 0.5 * std::min(contact.gap, contact.distance) - contact.gap;
     if (!(room(watch, watch.height) > least)) return false;
     contact.watch = watch;
@@ -105,10 +106,18 @@ void ContactSet<Real>::part(const Sweep<Real>& sweep, Contact& contact) {
     const Surface& b = search_.surfaces()[search_.surfaceOf(v[3])];
     const double least = leastOf(contact);
     const PairPoints start = startOf(contact.pair), end = endOf(sweep, contact.pair);
+    const Rounding rounding = sections_.of(contact.pair);
+    const PairPoints roundStart = rounding.to(start), roundEnd = rounding.to(end);
     const bool idle = contact.push == 0 && least == 0;
-    if (idle && clearNow(contact, start, end)) return;
-    const Touch at = touch(contact, start, end);
+    if (idle && clearNow(contact, rounding, roundStart, roundEnd)) return;
+    Touch at = touch(contact, roundStart, roundEnd);
     if (idle && at.value >= 0) return;
+    if (rounding.flat()) {
+        const Vec<double> way = rounding.back(at.normal);
+        const double steep = length(way);
+        at.normal = divide(1.0, steep) * way;
+        at.value = divide(at.value, steep);
+    }
     const double shocked = 1 / options_.layerShock;
     const Answers<Real> answers(
         sweep, contact.pair, at.weight, end,

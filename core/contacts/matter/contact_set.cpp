@@ -38,7 +38,8 @@ double thickest(const std::vector<Surface>& surfaces) {
 double widest(const std::vector<Surface>& surfaces) {
     double most = thickest(surfaces);
     for (const Surface& s : surfaces)
-        if (s.self != Self::none) most = std::max(most, thickest(s) * s.selfWidth);
+        most = std::max(
+            most, std::max(thickest(s), s.halfWidth) * (s.self != Self::none ? s.selfWidth : 1));
     return most;
 }
 
@@ -53,6 +54,7 @@ ContactSet<Real>::ContactSet(const World& world, const std::vector<Surface>& sur
                              const ContactOptions& options)
     : options_(options),
       search_(world.complex, surfaces, world.pinned, marginOf(world, surfaces, options.margin)),
+      sections_(world, surfaces),
       rest_(world.rest),
       start_(world.start),
       end_(world.start),
@@ -102,12 +104,19 @@ void ContactSet<Real>::locate(const Sweep<Real>& sweep, Workers& workers) {
             end_[v] = three(p) + three(p + 4);
         }
     });
+    sections_.turn(start_);
 }
 
 template <class Real>
 PairPoints ContactSet<Real>::startOf(const Pairing& pair) const {
     const auto& v = pair.vertices;
     return {start_[v[0]], start_[v[1]], start_[v[2]], start_[v[3]]};
+}
+
+template <class Real>
+PairPoints ContactSet<Real>::headingOf(const Pairing& pair) const {
+    const auto& v = pair.vertices;
+    return {end_[v[0]], end_[v[1]], end_[v[2]], end_[v[3]]};
 }
 
 // Where a contact's vertices are by now.
@@ -129,7 +138,8 @@ double ContactSet<Real>::wholeGapOf(const Pairing& pair, const Nearest& now) con
     for (std::size_t i = 0; i < 4; ++i) gap += std::fabs(now.weight[i]) * search_.thickness(v[i]);
     if (search_.surfaceOf(v[0]) == search_.surfaceOf(v[3])) {
         gap *= search_.width(v[0], v[3]);
-        const PairPoints rest{rest_[v[0]], rest_[v[1]], rest_[v[2]], rest_[v[3]]};
+        const PairPoints rest =
+            sections_.atRest(pair).to({rest_[v[0]], rest_[v[1]], rest_[v[2]], rest_[v[3]]});
         if (mayMeet(pair, rest, rest, gap)) gap = std::min(gap, length(nearest(pair, rest).apart));
     }
     return gap;
@@ -150,14 +160,14 @@ void ContactSet<Real>::consider(const Pairing& pair, std::vector<Contact>& list)
         double& side = thickness[i >= pair.first];
         side = std::max(side, search_.thickness(v[i]));
     }
-    const PairPoints start = startOf(pair);
-    const PairPoints end{end_[v[0]], end_[v[1]], end_[v[2]], end_[v[3]]};
+    const Rounding rounding = sections_.of(pair);
+    const PairPoints start = rounding.to(startOf(pair)), end = rounding.to(headingOf(pair));
     const double reach = search_.width(v[0], v[3]) * (thickness[0] + thickness[1]) + slack_;
     if (!mayMeet(pair, start, end, reach)) return;
     const Nearest now = nearest(pair, start);
     if (!comesWithin(reach, pair, now, start, end)) return;
     Contact contact{.pair = pair, .distance = length(now.apart), .gap = gapOf(pair, now)};
-    contact.watch = watchOf(contact, divide(1.0, contact.distance) * now.apart, start);
+    contact.watch = watchOf(contact, rounding, divide(1.0, contact.distance) * now.apart, start);
     list.push_back(contact);
 }
 

@@ -22,6 +22,7 @@
 #include "../trouble/failures.h"
 #include "impact_zones.h"
 #include "impacts.h"
+#include "sections.h"
 
 #include <atomic>
 #include <memory>
@@ -61,7 +62,7 @@ private:
     // them, and small.
     struct Watch {
         std::array<int, 4> vertices;
-        Vec<float> normal;            // of unit length, to the first
+        Vec<float> normal;            // to the first, of unit length between what is round
         std::array<float, 4> height;  // m, of each over the last when the substep begins, the
                                       // first one's less the gap
         int first;                    // vertices of the first; 0: look at the contact itself
@@ -69,7 +70,7 @@ private:
     struct Contact {
         Pairing pair;
         int color = 0;
-        double distance;     // m, where the substep begins
+        double distance;     // m, where the substep begins, as sections_ makes it round
         double gap;          // m, to be kept
         double push = 0;     // multiplier across, kg m
         Vec<double> grip{};  // multiplier along, kg m
@@ -107,11 +108,14 @@ private:
         return &a == &b ? options_.selfFriction : options_.otherFriction;
     }
     PairPoints startOf(const Pairing& pair) const;
+    PairPoints headingOf(const Pairing& pair) const;
     PairPoints endOf(const Sweep<Real>& sweep, const Pairing& pair) const;
     Touch touch(const Contact& contact, const PairPoints& start, const PairPoints& end) const;
-    Watch watchOf(const Contact& contact, const Vec<double>& normal, const PairPoints& start) const;
+    Watch watchOf(const Contact& contact, const Rounding& rounding, const Vec<double>& normal,
+                  const PairPoints& start) const;
     static float room(const Watch& watch, const std::array<float, 4>& height);
-    bool clearNow(Contact& contact, const PairPoints& start, const PairPoints& end) const;
+    bool clearNow(Contact& contact, const Rounding& rounding, const PairPoints& start,
+                  const PairPoints& end) const;
     double leastOf(const Contact& contact) const;
     bool clear(const Sweep<Real>& sweep, const Watch& watch) const;
     void part(const Sweep<Real>& sweep, Contact& contact);
@@ -127,6 +131,7 @@ private:
 
     ContactOptions options_;
     PairSearch search_;
+    Sections sections_;
     std::vector<Vec<double>> rest_, start_, end_, heading_;  // m, by vertex
     std::vector<Vec<double>> seen_;      // end_ when paths were last looked at; empty: not yet
     std::vector<std::uint8_t> moved_;    // by vertex: 1 if end_ is another since

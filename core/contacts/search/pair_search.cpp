@@ -95,7 +95,8 @@ bool PairSearch::accepts(const Meeting& meeting, std::span<const int> a,
 // How far from a vertex its skin is at most, whatever it meets.
 double PairSearch::reachOf(int vertex) const {
     const Surface& of = surfaces_[surface_[vertex]];
-    return thickness_[vertex] * (of.self == Self::none ? 1 : std::max(1.0, of.selfWidth));
+    return std::max(thickness_[vertex], of.halfWidth) *
+           (of.self == Self::none ? 1 : std::max(1.0, of.selfWidth));
 }
 
 bool PairSearch::cover(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
