@@ -24,10 +24,11 @@ int lanesOf(KernelChoice choice) { return std::max(choice.lanes / 2, 1); }
 template <class Real>
 ChainSet<Real>::ChainSet(Parts parts, std::span<const std::vector<int>> curves,
                          std::span<const unsigned char> pinned, KernelChoice choice,
-                         std::vector<ChainRider> riders)
+                         std::vector<ChainRider> riders, std::vector<ChainLink> links)
     : parts_(std::move(parts)),
       riders_(std::move(riders)),
       middles_(riders_.size()),
+      links_(std::move(links)),
       choice_(choice),
       kernels_(chainKernels<Real>(choice)) {
     std::vector<ChainStencils> stencils;
@@ -182,6 +183,27 @@ void ChainSet<Real>::carryRides(const Sweep<Real>& sweep) {
     }
 }
 
+template <class Real>
+bool ChainSet<Real>::isOff(const Sweep<Real>& sweep) const {
+    constexpr double tolerance = 0.002;  // of the length
+    const auto at = [&](int v) {
+        const Real* const p = sweep.particles + 8 * v;
+        return three(p) + three(p + 4);
+    };
+    return std::ranges::any_of(links_, [&](const ChainLink& link) {
+        const double now = length(at(link.edge[1]) - at(link.edge[0]));
+        return std::fabs(now - link.length) > tolerance * link.length;
+    });
+}
+
+// What contacts have pulled too long. They have the next word, but on what crosses only.
+template <class Real>
+long ChainSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
+    if (!isOff(sweep)) return 0;
+    project(sweep, Direction::forward, workers);
+    return size_;
+}
+
 template class ChainSet<float>;
 template class ChainSet<double>;
 
@@ -192,7 +214,7 @@ void Chains::constrain(World& world, SetOptions options) const {
         typename ChainSet<Real>::Parts parts;
         for (const auto& maker : chains.makers_) parts.push_back(maker(name, w.start.size()));
         return std::make_unique<ChainSet<Real>>(std::move(parts), chains.curves_, w.pinned, kernels,
-                                                chains.riders_);
+                                                chains.riders_, chains.links_);
     };
     world.constrain(recipeOf<Constraint>(make), std::move(options));
 }

@@ -23,6 +23,12 @@ struct ChainRider {
     std::array<int, 2> edge;
 };
 
+// A link that contacts may not leave off its length (m): then the set is solved once more.
+struct ChainLink {
+    std::array<int, 2> edge;
+    double length;
+};
+
 // Inside all is double. Smoothing leaves the set alone, since it leaves no error to spread. Rows
 // that contradict each other (both ends held further apart than the curve is long) have no
 // solution: what they do is finite, and that is all; give them compliance.
@@ -34,7 +40,7 @@ public:
     // As planChains(). Throws std::invalid_argument if `choice` is not available.
     ChainSet(Parts parts, std::span<const std::vector<int>> curves,
              std::span<const unsigned char> pinned, KernelChoice choice,
-             std::vector<ChainRider> riders = {});
+             std::vector<ChainRider> riders = {}, std::vector<ChainLink> links = {});
 
     void beginFrame(double t0, double t1) override;
     void begin(const Substep& substep, Workers& workers) override;
@@ -43,6 +49,7 @@ public:
     void damp(const Sweep<Real>& sweep, Workers& workers) override;
     void noteRides(const Sweep<Real>& sweep) override;
     void carryRides(const Sweep<Real>& sweep) override;
+    long finish(const Sweep<Real>& sweep, Workers& workers) override;
     long size() const override { return size_; }
 
 private:
@@ -59,10 +66,12 @@ private:
     template <class Change>
     void forUnits(const Sweep<Real>& sweep, Workers& workers, const Change& change);
     void solve(Unit& unit, const Sweep<Real>& sweep, ChainSystem system) const;
+    bool isOff(const Sweep<Real>& sweep) const;
 
     Parts parts_;
     std::vector<ChainRider> riders_;
     std::vector<Vec<double>> middles_;  // of their edges, twice, as noted
+    std::vector<ChainLink> links_;
     KernelChoice choice_;
     const ChainTable<Real>& kernels_;
     std::vector<std::array<ChainRowsKernel, 2>> rowKernels_;  // by part
@@ -92,6 +101,7 @@ public:
     }
 
     void ride(ChainRider rider) { riders_.push_back(rider); }
+    void keep(ChainLink link) { links_.push_back(link); }
 
     // All of it, as one set. Throws, when a solver is made, as planChains() does, and
     // std::invalid_argument, naming the set, for rows that are not sound.
@@ -100,6 +110,7 @@ public:
 private:
     std::vector<std::vector<int>> curves_;
     std::vector<ChainRider> riders_;
+    std::vector<ChainLink> links_;
     std::vector<std::function<std::unique_ptr<ChainPart>(const std::string&, std::size_t)>> makers_;
 };
 

@@ -38,6 +38,10 @@ public:
 
     void hold(const World& world, const Rod& rod, Chains& chains, RodRows& all) const {
         all.add(restRows<Stretch>(stencils(rod, edges_, 2), world.rest));
+        for (int e = 0; e < edges_; ++e) {
+            const int a = rod.points.first + e, b = rod.points.first + next(e);
+            chains.keep({{a, b}, length(world.rest[b] - world.rest[a])});
+        }
         std::vector<int> order;
         for (int v = 0; v < vertices_; ++v) {
             order.push_back(rod.points.first + v);
