@@ -395,7 +395,7 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
          .knobs = {{.name = "rise",
                     .meaning = "of a stair",
                     .unit = "m",
-                    .value = 0.15,
+                    .value = 0.12,
                     .low = 0.05,
                     .high = 0.25},
                    {.name = "tread",

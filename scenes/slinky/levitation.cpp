@@ -102,7 +102,7 @@ Scene levitation(const Knobs&) {
                   {.density = 0.01});
     world.pin({mark.first});
     // Turns that meet stay together: no restitution.
-    meet(world, {{.vertices = rod.points, .thickness = 0.499 * slinky.wire.across}});
+    meet(world, {skinOf(slinky, rod)});
     std::vector<int> held = upperTurns(slinky, rod, 1);
     held.push_back(mark.first);
     world.letGo(held, letGoAt);

@@ -80,6 +80,14 @@ Rod addSlinky(World& world, const Slinky& slinky, const Vec<double>& foot) {
     return addRod(world, curve, {.wire = slinky.wire, .toward = outward}, {.name = "wire"});
 }
 
+// A little thinner than it is, so that turns that rest on each other do not press.
+Surface skinOf(const Slinky& slinky, const Rod& rod) {
+    return {.vertices = rod.points,
+            .thickness = 0.499 * slinky.wire.across,
+            .directors = rod.directors,
+            .halfWidth = 0.5 * slinky.wire.along};
+}
+
 std::vector<int> upperTurns(const Slinky& slinky, const Rod& rod, int turns) {
     std::vector<int> vertices;
     for (int i = 0; i <= turns * slinky.links; ++i) vertices.push_back(rod.points.last - 1 - i);

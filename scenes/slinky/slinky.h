@@ -3,6 +3,7 @@
 
 #include "../scene.h"
 
+#include <plait/contacts/surface.h>
 #include <plait/rods/rod.h>
 #include <plait/world.h>
 
@@ -34,6 +35,9 @@ std::vector<std::string> factsOf(const Slinky& slinky);
 
 // Closed, from y = 0 up, around the upright through `foot`. Names its set "wire".
 Rod addSlinky(World& world, const Slinky& slinky, const Vec<double>& foot);
+
+// How its wire meets others: flat.
+Surface skinOf(const Slinky& slinky, const Rod& rod);
 
 // The points and directors of so many turns from the upper end.
 std::vector<int> upperTurns(const Slinky& slinky, const Rod& rod, int turns);
