@@ -34,8 +34,9 @@ Vec<double> Rounding::back(const Vec<double>& n) const {
 Sections::Sections(const World& world, const std::vector<Surface>& surfaces) {
     for (const Surface& s : surfaces) {
         if (s.directors.size() == 0) continue;
-        const double ratio = s.halfWidth / *s.thickness;
-        flats_.push_back({s.vertices, s.directors.first, *s.thickness, ratio * ratio - 1});
+        const double thickness = thicknessAt(s, s.vertices.first);
+        const double ratio = s.halfWidth / thickness;
+        flats_.push_back({s.vertices, s.directors.first, thickness, ratio * ratio - 1});
     }
     if (flats_.empty()) return;
     thickness_.resize(world.rest.size());
