@@ -107,6 +107,7 @@ void ChainSet<Real>::beginFrame(double t0, double t1) {
 template <class Real>
 void ChainSet<Real>::begin(const Substep& substep, Workers&) {
     fresh_ = true;
+    finished_ = false;
     for (int p = 0; p < static_cast<int>(parts_.size()); ++p) {
         if (!parts_[p]->begin(substep)) continue;
         for (Unit& unit : units_)
@@ -196,10 +197,12 @@ bool ChainSet<Real>::isOff(const Sweep<Real>& sweep) const {
     });
 }
 
-// What contacts have pulled too long. They have the next word, but on what crosses only.
+// What contacts have pulled too long, once a substep: they have the last word, but on what crosses
+// only, and where both want it again and again what goes back does not end.
 template <class Real>
 long ChainSet<Real>::finish(const Sweep<Real>& sweep, Workers& workers) {
-    if (!isOff(sweep)) return 0;
+    if (finished_ || !isOff(sweep)) return 0;
+    finished_ = true;
     project(sweep, Direction::forward, workers);
     return size_;
 }

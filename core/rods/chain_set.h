@@ -79,6 +79,7 @@ private:
     std::vector<Unit> units_;
     std::vector<std::vector<double>> scratch_;  // by thread
     bool fresh_ = true;                         // no multipliers yet in this substep
+    bool finished_ = false;                     // in this substep
     long size_ = 0;
 };
 

@@ -114,13 +114,14 @@ Scene slinky(const Knobs& knobs) {
     const double friction = knobs.number("friction");
     Surface skin = skinOf(slinky, rod);
     skin.staticFriction = skin.dynamicFriction = onWire;
-    meet(world, {skin,
-                 // The mean of both counts.
-                 {.vertices = wood,
-                  .thickness = 0,
-                  .staticFriction = 2 * friction - onWire,
-                  .dynamicFriction = 2 * friction - onWire,
-                  .self = Self::none}});
+    meet(world,
+         {skin,
+          {.vertices = wood,
+           .thickness = 0,
+           .staticFriction = onWire,
+           .dynamicFriction = onWire,
+           .self = Self::none}},
+         {.otherFriction = friction / onWire});
     world.letGo(held, arcSeconds);
 
     // With 48 its steps are as many and less even, and its wire is up to 1 % too long.
