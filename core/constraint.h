@@ -19,8 +19,9 @@ enum class Direction { forward, backward };
 // Where in time a substep lies; targets move linearly within a base step, which is a frame or a
 // part of it (M 2.4; SolverOptions::baseSteps).
 struct Substep {
-    double h;              // s
-    double frameFraction;  // part of the base step that is over at its end, 0 to 1
+    double h;                   // s
+    double frameFraction;       // part of the base step that is over at its end, 0 to 1
+    Vec<double> fall{0, 0, 0};  // m: how far Force::fall() takes all that is not pinned in it
 };
 
 template <class Real>

@@ -20,6 +20,8 @@ public:
     virtual void furnish(Drawer<Real>&) const {}
     // True: it writes State::air(), which is in the drawer of the first that does.
     virtual bool hasInertia() const { return false; }
+    // The acceleration that it gives to all that is not pinned, m/s^2.
+    virtual Vec<double> fall() const { return {0, 0, 0}; }
 
     // A frame begins, from time t0 to t1 (s): fields are evaluated here, once a frame (M 3.1.2)
     // [IN29].

@@ -187,7 +187,9 @@ void Solver<Real>::applyForces() {
 
 template <class Real>
 void Solver<Real>::beginSets(double fraction) {
-    for (const auto& set : sets_) set->begin({h_, fraction}, workers_);
+    Vec<double> fall{0, 0, 0};
+    for (const auto& force : forces_) fall += implied_ * implied_ * force->fall();
+    for (const auto& set : sets_) set->begin({h_, fraction, fall}, workers_);
 }
 
 template <class Real>

@@ -25,6 +25,7 @@ public:
     Gravity(const World& world, const GravityOptions& options);
 
     std::string name() const override { return "gravity"; }
+    Vec<double> fall() const override { return acceleration_; }
     void apply(State<Real>& state, double t, double h, Workers& workers) override;
 
 private:

@@ -30,7 +30,8 @@ struct ChainRows {
     const double* vertices;  // number m of a vertex, where lanes are curves, at m * width + lane
     double* out;
     int blocks, width;
-    bool air, rates;
+    bool air, rates, falls;  // falls: ChainSystem::fall is not zero
+    const double* fall;
     double inverseH2;
 };
 // [1]: where lanes are rows of one curve.
@@ -78,6 +79,7 @@ struct ChainSystem {
     double keep;       // of lambda from evaluations before
     double redundant;  // the least part of its row that a pivot is
     bool rates;
+    double fall[3];  // m: rows are linear where what is pinned would be, did it fall so far
 };
 
 template <class Real>

@@ -138,7 +138,8 @@ ChainSystem ChainLayout::system(const int* ids, double* lambda, double* scratch)
             .work = scratch + vertexScratch() + out_,
             .keep = 1,
             .redundant = 0,
-            .rates = false};
+            .rates = false,
+            .fall = {0, 0, 0}};
 }
 
 }  // namespace plait

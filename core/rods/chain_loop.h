@@ -102,6 +102,10 @@ void keepValue(ChainOut<T>& out, const ChainRows& rows, const Stencil<ChainVerte
         c = T(0);
         for (int i = 0; i < arity; ++i) c = c + dot(gradient[i], v[i].velocity);
     }
+    if (rows.falls) {
+        const Vec<T> fall{T(rows.fall[0]), T(rows.fall[1]), T(rows.fall[2])};
+        for (int i = 0; i < arity; ++i) c = c - select(v[i].s > T(0), T(0), dot(gradient[i], fall));
+    }
     Stencil<Vec<T>, arity> scaled;
     for (int i = 0; i < arity; ++i) {
         scaled[i] = v[i].scaled(gradient[i], rows.air);

@@ -108,6 +108,7 @@ template <class Real>
 void ChainSet<Real>::begin(const Substep& substep, Workers&) {
     fresh_ = true;
     finished_ = false;
+    fall_ = substep.fall;
     for (int p = 0; p < static_cast<int>(parts_.size()); ++p) {
         if (!parts_[p]->begin(substep)) continue;
         for (Unit& unit : units_)
@@ -146,22 +147,28 @@ void ChainSet<Real>::solve(Unit& unit, const Sweep<Real>& sweep, ChainSystem sys
     const int along = layout.along() ? 1 : 0;
     kernels_.gather[along](sweep, system);
     for (const auto& part : layout.parts())
-        rowKernels_[part.part][along]({.rows = &unit.parameters[part.parameters],
-                                       .ids = layout.ids() + part.ids,
-                                       .vertices = system.vertexNumbers,
-                                       .out = system.out + part.out,
-                                       .blocks = part.blocks,
-                                       .width = layout.width(),
-                                       .air = sweep.air != nullptr,
-                                       .rates = system.rates,
-                                       .inverseH2 = double(sweep.inverseH2)});
+        rowKernels_[part.part][along](
+            {.rows = &unit.parameters[part.parameters],
+             .ids = layout.ids() + part.ids,
+             .vertices = system.vertexNumbers,
+             .out = system.out + part.out,
+             .blocks = part.blocks,
+             .width = layout.width(),
+             .air = sweep.air != nullptr,
+             .rates = system.rates,
+             .falls = system.fall[0] != 0 || system.fall[1] != 0 || system.fall[2] != 0,
+             .fall = system.fall,
+             .inverseH2 = double(sweep.inverseH2)});
     kernels_.solve[along](sweep, system);
 }
 
 template <class Real>
 void ChainSet<Real>::project(const Sweep<Real>& sweep, Direction, Workers& workers) {
     const double keep = fresh_ ? 0 : double(sweep.keep);
-    forUnits(sweep, workers, [&](ChainSystem& system) { system.keep = keep; });
+    forUnits(sweep, workers, [&](ChainSystem& system) {
+        system.keep = keep;
+        if (fresh_) std::copy_n(&fall_.x, 3, system.fall);
+    });
     fresh_ = false;
 }
 

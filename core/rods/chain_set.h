@@ -80,6 +80,7 @@ private:
     std::vector<std::vector<double>> scratch_;  // by thread
     bool fresh_ = true;                         // no multipliers yet in this substep
     bool finished_ = false;                     // in this substep
+    Vec<double> fall_{0, 0, 0};                 // of this substep
     long size_ = 0;
 };
 

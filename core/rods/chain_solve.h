@@ -15,6 +15,7 @@ template <class T, class Real>
 [[gnu::flatten]] void gatherChain(const Sweep<Real>& sweep, const ChainSystem& chain) {
     constexpr int n = Lanes<T>::count;
     const Strip<T> numbers{chain.vertexNumbers};
+    const T fall[3]{T(chain.fall[0]), T(chain.fall[1]), T(chain.fall[2])};
     Record x0[n], d0[n];
     for (int v = 0; v < chain.vertices; ++v) {
         const int* const ids = chain.ids + v * n;
@@ -35,6 +36,7 @@ template <class T, class Real>
         columns(d, now);
         const T w = now[3];
         now[3] = squareRoot(w);
+        for (int k = 0; k < 3; ++k) now[k] = now[k] + select(w > T(0), T(0), fall[k]);
         before[3] = T(0);
         T more[4];
         if (sweep.air) {
@@ -215,7 +217,8 @@ private:
     template <int near>
     void turn() const {
         const Band<T, near, 3> band(chain_.links, linkMemory_);
-        const Vec<T> zero{T(0), T(0), T(0)};
+        // Of what is pinned: back to where it is from where rows were linear.
+        const Vec<T> back{T(-chain_.fall[0]), T(-chain_.fall[1]), T(-chain_.fall[2])};
         band.clear();
         for (int k = 0; k < chain_.joined; ++k) band.row(k).put(0, T(1));
         const auto addTo = [](const Strip<T>& at, const T& number) { at.put(0, at[0] + number); };
@@ -225,8 +228,8 @@ private:
             const T change = changeOf(joint.row), tension = select(change < T(0), -change, T(0));
             const Vec<T> along = three(joint.place),
                          turned = number(joint.place, 3) * along +
-                                  ((b < 0 ? zero : vec(moves_ + 3 * joint.b)) -
-                                   (a < 0 ? zero : vec(moves_ + 3 * joint.a)));
+                                  ((b < 0 ? back : vec(moves_ + 3 * joint.b)) -
+                                   (a < 0 ? back : vec(moves_ + 3 * joint.a)));
             const T inverse = divide(T(1), length(turned)), stiffness = tension * inverse;
             const Vec<T> pull = tension * (along - inverse * turned);
             const T sa = a < 0 ? T(0) : rootMass(joint.a), sb = b < 0 ? T(0) : rootMass(joint.b);

@@ -8,6 +8,7 @@
 #include <plait/numbers/elementary.h>
 #include <plait/solver.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -21,12 +22,22 @@ double around(const Slinky& slinky) { return 2 * pi * slinky.radius; }
 
 double levelPitch(const Slinky& slinky) { return arctangent2(slinky.wire.across, around(slinky)); }
 
+// The part of its turns that the pre-tension does not hold together as it hangs.
+double openOf(const Slinky& slinky) { return 1 - slinky.pretension / (slinky.mass() * g); }
+
 // A coil of straight links is stiffer (tests/core/rods): by 2 % at 24 a turn.
 Helix hungBy(const Slinky& slinky, double force, const Helix& at) {
     const double twisting =
         slinky.wire.twisting() * (1 + 7 * pi * pi / (6.0 * slinky.links * slinky.links));
     return hungBy({levelPitch(slinky), slinky.radius}, {slinky.wire.bendingSide(), twisting}, force,
                   at);
+}
+
+// As it is wound: a pre-tension is a twist that its wire had less of before its turns met.
+Vec<double> naturalOf(const Slinky& slinky, const Vec<double>& edge) {
+    const double l = length(edge), rise = edge.y / l, bend = 2 * pi / (slinky.links * l);
+    return {0, -bend * std::sqrt(1 - rise * rise),
+            bend * rise - slinky.pretension * slinky.radius / slinky.wire.twisting()};
 }
 
 }  // namespace
@@ -43,11 +54,13 @@ double Slinky::stiffness() const {
 double Slinky::period() const { return 4 * std::sqrt(mass() / stiffness()); }
 
 double Slinky::extension() const {
-    const double free = 1 - 1.0 / turns;
-    return 0.968 * free * free * mass() * g / (2 * stiffness());
+    const double free = 1 - 1.0 / turns, open = openOf(*this);
+    return 0.968 * free * free * open * open * mass() * g / (2 * stiffness());
 }
 
-double Slinky::collapse() const { return std::sqrt(mass() / (3 * stiffness())); }
+double Slinky::collapse() const {
+    return std::sqrt(mass() / (3 * stiffness()) * std::pow(openOf(*this), 3));
+}
 
 std::vector<std::string> factsOf(const Slinky& slinky) {
     const auto line = [](const char* name, const char* format, double value) {
@@ -59,6 +72,7 @@ std::vector<std::string> factsOf(const Slinky& slinky) {
     return {line("mass                 ", "%.1f g", 1000 * slinky.mass()),
             line("stiffness            ", "%.3f N/m", slinky.stiffness()),
             line("slowest swing, hung  ", "%.2f s", slinky.period()),
+            line("pre-tension          ", "%.2f N", slinky.pretension),
             line("length, closed       ", "%.1f mm", 1000 * closed),
             line("length, hung         ", "%.2f m", closed + slinky.extension()),
             line("its last turn hangs  ", "%.3f s once it is let go", slinky.collapse())};
@@ -77,7 +91,9 @@ Rod addSlinky(World& world, const Slinky& slinky, const Vec<double>& foot) {
         const Vec<double> middle = 0.5 * (curve.positions[i] + curve.positions[i + 1]) - foot;
         outward.push_back({middle.x, 0, middle.z});
     }
-    return addRod(world, curve, {.wire = slinky.wire, .toward = outward}, {.name = "wire"});
+    const Vec<double> natural = naturalOf(slinky, curve.positions[1] - curve.positions[0]);
+    return addRod(world, curve, {.wire = slinky.wire, .natural = {natural}, .toward = outward},
+                  {.name = "wire"});
 }
 
 // A little thinner than it is, so that turns that rest on each other do not press.
@@ -102,7 +118,9 @@ void hang(World& world, const Slinky& slinky, const Rod& rod) {
     const double l = length(world.rest[1] - world.rest[0]),
                  weight = slinky.wire.density * slinky.wire.area() * l * g;
     std::vector<Helix> links{{levelPitch(slinky), slinky.radius}};
-    for (int i = 0; i < e; ++i) links.push_back(hungBy(slinky, (i + 0.5) * weight, links.back()));
+    for (int i = 0; i < e; ++i)
+        links.push_back(
+            hungBy(slinky, std::max((i + 0.5) * weight - slinky.pretension, 0.0), links.back()));
 
     std::vector<Vec<double>>& x = world.start;
     const Vec<double> held = x[rod.points.first + e];

@@ -16,14 +16,15 @@ struct Slinky {
     Wire wire{.poisson = 0.27, .along = 2.5e-3, .across = 0.62e-3};
     double radius = 0.034;  // m, of the helix
     int turns = 86;
-    int links = 24;  // of a turn
+    int links = 24;         // of a turn
+    double pretension = 0;  // N, that draws its turns together: so much hangs closed
 
     // Closed forms of a close-wound coil, all of whose turns are free (Wahl, "Mechanical springs").
     double mass() const;       // kg
     double stiffness() const;  // N/m
     double period() const;     // s, of the slowest swing up and down, hung
     // m, hung by its first turn: 0.968 of m g / 2 k of the others, since turns that are drawn apart
-    // are no longer level (validation A7).
+    // are no longer level (validation A7), and of what weighs more than the pre-tension.
     double extension() const;
     // s from letting go until the last turn moves, turns that meet staying together (Calkin,
     // "Motion of a falling spring", 1993).

@@ -3,6 +3,8 @@
 #include "tests/catch.h"
 #include "tests/report.h"
 
+#include <plait/constraints/constants.h>
+#include <plait/forces/gravity.h>
 #include <plait/solver.h>
 
 #include <algorithm>
@@ -86,4 +88,107 @@ TEST_CASE("slinky: it walks down the stairs by itself", "[rods][long][FX4]") {
     CHECK(report("steps off their mean", uneven, 0.06));
     CHECK(report("wire strain at worst", strain, 0.01));
     CHECK(std::abs(at[0] - at[1]) <= 1);
+}
+
+namespace {
+
+constexpr int held = 1;  // turns by which it hangs
+
+// Hung under gravity of `g` m/s^2 and at rest, what hangs free of it swinging up and down.
+struct Hung {
+    double mass, extension, period;
+};
+
+double lowestTurn(const Slinky& slinky, const std::vector<Vec<double>>& x) {
+    double sum = 0;
+    for (int i = 0; i < slinky.links; ++i) sum += x[i].y;
+    return sum / slinky.links;
+}
+
+Hung hungUnder(const Slinky& slinky, double g) {
+    World world;
+    const Rod rod = addSlinky(world, slinky, {0, 0, 0});
+    world.pin(upperTurns(slinky, rod, held));
+    world.act<Gravity>(GravityOptions{.acceleration = {0, -g, 0}});
+    const double closed = lowestTurn(slinky, world.start);
+    SolverOptions options{.sweeps = Sweeps::oneWay, .schedule = {.substeps = 12, .iterations = 1}};
+    options.damping = 1 - std::exp(-3.0 / 24);
+    Solver<float> settle(world, options);
+    for (int frame = 0; frame < 24 * 10; ++frame) settle.frame();
+    world.start = settle.positions();
+
+    // A quarter of a wave, at 0.05 m/s.
+    const int last = (slinky.turns - held) * slinky.links;
+    for (int i = 0; i < last; ++i) {
+        const double v = -0.05 * std::cos(pi / 2 * i / last);
+        world.velocity[rod.points.first + i].y = v;
+        world.velocity[rod.directors.first + i].y = v;
+    }
+    options.damping = 0;
+    Solver<float> swing(world, options);
+    const double rest = lowestTurn(slinky, world.start);
+    std::vector<double> upward;
+    double before = 0;
+    while (upward.size() < 3 && swing.time() < 12) {
+        swing.frame();
+        const double now = lowestTurn(slinky, swing.positions()) - rest;
+        if (before < 0 && now >= 0) upward.push_back(swing.time() - now / (now - before) / 24);
+        before = now;
+    }
+    REQUIRE(upward.size() == 3);
+    double mass = 0;
+    for (const double m : world.mass) mass += m;
+    return {mass, closed - rest, (upward[2] - upward[0]) / 2};
+}
+
+}  // namespace
+
+// Of the turns that hang free.
+TEST_CASE("slinky: it swings as its wire says", "[rods][long][FX4]") {
+    const Slinky slinky;
+    const double free = 1 - double(held) / slinky.turns, mass = free * slinky.mass(),
+                 k = slinky.stiffness() / free, period = 4 * std::sqrt(mass / k);
+    // Little stretched it is the close-wound coil of the closed forms.
+    const Hung little = hungUnder(slinky, 0.5);
+    CHECK(report("mass off", std::fabs(little.mass / slinky.mass() - 1), 0.03));
+    const double stiffness = mass * 0.5 / (2 * little.extension);
+    note("k beside its closed form", stiffness / k);
+    CHECK(report("k off", std::fabs(stiffness / k - 1), 0.03));
+    note("T0 beside its closed form", little.period / period);
+    CHECK(report("T0 off", std::fabs(little.period / period - 1), 0.03));
+    // Hung under its whole weight its turns are not level, and it is stiffer.
+    const Hung whole = hungUnder(slinky, 9.81);
+    CHECK(report("extension off 0.968 m g / 2 k",
+                 std::fabs(whole.extension / slinky.extension() - 1), 0.025));
+    note("T0, hung, beside the closed form", whole.period / period);
+    CHECK(report("T0, hung, off 4 % less", std::fabs(whole.period / period - 0.96), 0.01));
+}
+
+// Turns that press on each other as they are wound: a fifth of them hangs closed.
+TEST_CASE("slinky: with a pre-tension it closes sooner", "[rods][long][FX4]") {
+    const Slinky slinky{.pretension = 0.44};
+    World world;
+    const Rod rod = addSlinky(world, slinky, {0, 0, 0});
+    const std::vector<int> hand = upperTurns(slinky, rod, held);
+    world.pin(hand);
+    world.act<Gravity>(GravityOptions{});
+    meet(world, {skinOf(slinky, rod)});
+    const double closed = lowestTurn(slinky, world.start);
+    hang(world, slinky, rod);
+    const double rest = lowestTurn(slinky, world.start);
+    CHECK(report("extension off", std::fabs((closed - rest) / slinky.extension() - 1), 0.04));
+    world.letGo(hand, 0);
+
+    SolverOptions options{.sweeps = Sweeps::oneWay,
+                          .schedule = {.substeps = 1, .frameRate = {1200, 1}, .iterations = 1}};
+    Solver<float> solver(world, options);
+    double moved = 0, now = 0;
+    while (now > -0.005 * slinky.extension() && solver.time() < 0.5) {
+        solver.frame();
+        if (solver.time() < 0.97 * slinky.collapse()) moved = std::max(moved, std::fabs(now));
+        now = lowestTurn(slinky, solver.positions()) - rest;
+    }
+    note("last turn begins to fall at, s", solver.time());
+    CHECK(report("t_c off 0.247 s", std::fabs(solver.time() / 0.247 - 1), 0.03));
+    CHECK(report("last turn moves until then, of the extension", moved / slinky.extension(), 5e-3));
 }
