@@ -404,6 +404,7 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                     .value = 0.14,
                     .low = 0.1,
                     .high = 0.25},
+                   {.name = "steps", .meaning = "of the stairs", .value = 10, .low = 1, .high = 20},
                    {.name = "friction",
                     .meaning = "of wire and wood",
                     .value = 0.6,

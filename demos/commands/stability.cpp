@@ -35,16 +35,20 @@ int stability(const Arguments& given) {
     const int cells = quality == 0 ? 9 : quality == 1 ? 19 : 37;
     const int jobs = static_cast<int>(parseInteger("--jobs", given.value("jobs", "1"), 1, 1024));
     const std::filesystem::path stored = "golden/stability/" + map.name + ".csv";
+    if (given.has("bless") && map.boundaryAt.empty())
+        throw UsageError(map.name + " has no boundaries to bless");
     if (given.has("bless") && !std::filesystem::is_directory(stored.parent_path()))
         throw FileError(
             "golden/stability: no such folder here; bless from the root of the sources");
     const std::filesystem::path folder = given.value("out", "out/stability/" + map.name);
     makeFolder(folder);
-    const Atlas atlas = workOut(map, cells, jobs, given.has("quiet"));
+    const Atlas atlas = workOut(map, cells, jobs, given.has("quiet"), folder / "done.csv");
     writeAtlas(map, atlas, folder, given.line);
-    if (!given.has("quiet"))
-        std::printf("%s\n%s\n", boundaryText(map, atlas.boundaries).c_str(),
-                    (folder / "index.html").c_str());
+    if (!given.has("quiet")) {
+        if (!atlas.boundaries.empty())
+            std::printf("%s\n", boundaryText(map, atlas.boundaries).c_str());
+        std::printf("%s\n", (folder / "index.html").c_str());
+    }
     if (given.has("bless")) bless(map, atlas.boundaries, stored);
     return exitOk;
 }

@@ -16,8 +16,10 @@ struct Atlas {
     std::vector<Boundary> boundaries;        // by panel, then by x
 };
 
-// `cells` along each axis, on `jobs` threads. Throws Interrupted; nothing is written.
-Atlas workOut(const StabilityMap& map, int cells, int jobs, bool quiet);
+// `cells` along each axis, on `jobs` threads. Throws Interrupted: what is done by then is in the
+// file `done`, from where the next one goes on that is asked for as many cells of the same map.
+Atlas workOut(const StabilityMap& map, int cells, int jobs, bool quiet,
+              const std::filesystem::path& done);
 
 // Some of the boundaries: of these panels (all where there are none) at the first `most` of x.
 std::vector<Boundary> traceBoundaries(const StabilityMap& map,

@@ -11,7 +11,6 @@
 namespace plait {
 namespace {
 
-const std::vector<std::string> categories{"ok", "drifting", "exploded", "not finite"};
 const CurveStyle foundStyle{0, Marker::disc, Dash::none};
 
 std::string figure(double value) {
@@ -43,7 +42,7 @@ std::string cellsCsv(const StabilityMap& map, const Atlas& atlas) {
         for (std::size_t i = 0; i < atlas.outcomes[p].size(); ++i)
             lines += map.panels[p].name + "," + text(atlas.x[i % atlas.x.size()]) + "," +
                      text(atlas.y[i / atlas.x.size()]) + "," +
-                     categories[static_cast<std::size_t>(atlas.outcomes[p][i])] + "\n";
+                     map.outcomes[static_cast<std::size_t>(atlas.outcomes[p][i])] + "\n";
     return lines;
 }
 
@@ -62,12 +61,12 @@ Chart chartOf(const StabilityMap& map, const Atlas& atlas, std::size_t p) {
     Chart chart{.title = panel.name,
                 .x = {.label = map.x.label, .logarithmic = true},
                 .y = {.label = map.y.label, .logarithmic = true},
-                .map = HeatMap{atlas.x, atlas.y, atlas.outcomes[p], categories}};
+                .map = HeatMap{atlas.x, atlas.y, atlas.outcomes[p], map.outcomes}};
     if (panel.theory) {
         const Curve theory = theoryCurve(map, panel);
         if (!theory.points.empty()) chart.curves.push_back(theory);
     }
-    Curve found{.name = "boundary of " + categories[static_cast<std::size_t>(map.fails)],
+    Curve found{.name = "boundary of " + map.outcomes[static_cast<std::size_t>(map.fails)],
                 .style = foundStyle};
     for (const Boundary& boundary : atlas.boundaries)
         if (boundary.panel == panel.name && boundary.y && !boundary.open)
@@ -89,21 +88,21 @@ void writeAtlas(const StabilityMap& map, const Atlas& atlas, const std::filesyst
     for (std::size_t p = 0; p < map.panels.size(); ++p)
         chart.charts.push_back(chartOf(map, atlas, p));
     writeWhole(folder / "cells.csv", cellsCsv(map, atlas));
-    writeWhole(folder / "boundaries.csv", csvOf(atlas.boundaries));
     writeFigure(folder / "chart", chart);
-    const std::string body =
-        pictureLine("chart", map.title) + "<p>" + escaped(map.words) +
-        "</p>\n<p>ok: none of what follows. Drifting: E &gt; 1.01 E0 + work, or what is said "
-        "above. "
-        "Exploded: E &gt; 1.05 E0 + work, or a strain beyond 200 %. Not finite: a number is not. "
-        "Boundaries are bisected between what is better and what is at least " +
-        categories[static_cast<std::size_t>(map.fails)] +
-        ".</p>\n<p>Theory: " + escaped(map.theoryWords) + ".</p>\n" +
-        htmlOf(boundaryTable(map, atlas.boundaries)) +
-        "<p><a href=\"cells.csv\">cells.csv</a>, <a "
-        "href=\"boundaries.csv\">boundaries.csv</a></p>\n" +
-        commandLines(command);
-    writeWhole(folder / "index.html", webPage(map.title, body));
+    std::string body = pictureLine("chart", map.title) + "<p>" + escaped(map.words) + "</p>\n<p>" +
+                       escaped(map.outcomeWords) + "</p>\n<p><a href=\"cells.csv\">cells.csv</a>";
+    if (!map.boundaryAt.empty()) {
+        writeWhole(folder / "boundaries.csv", csvOf(atlas.boundaries));
+        body +=
+            ", <a href=\"boundaries.csv\">boundaries.csv</a></p>\n<p>Boundaries are bisected "
+            "between what is better and what is at least " +
+            map.outcomes[static_cast<std::size_t>(map.fails)] +
+            ".</p>\n<p>Theory: " + escaped(map.theoryWords) + ".</p>\n" +
+            htmlOf(boundaryTable(map, atlas.boundaries));
+    } else {
+        body += "</p>\n";
+    }
+    writeWhole(folder / "index.html", webPage(map.title, body + commandLines(command)));
 }
 
 std::string boundaryText(const StabilityMap& map, std::span<const Boundary> boundaries) {

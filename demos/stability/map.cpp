@@ -31,9 +31,9 @@ std::string format(const char* pattern, const std::string& a, double b, double c
 
 const std::vector<StabilityMap>& stabilityMaps() {
     static const std::vector<StabilityMap> all{
-        stepStiffnessMap(), massRatioMap(),  stiffnessRatioMap(), chainLengthMap(),
-        resolutionMap(),    rotationMap(),   bdf2SweepsMap(),     bulletMap(),
-        layersMap(),        rodSegmentsMap()};
+        stepStiffnessMap(), massRatioMap(),   stiffnessRatioMap(), chainLengthMap(),
+        resolutionMap(),    rotationMap(),    bdf2SweepsMap(),     bulletMap(),
+        layersMap(),        rodSegmentsMap(), stairsMap()};
     return all;
 }
 

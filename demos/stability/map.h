@@ -36,8 +36,13 @@ struct StabilityMap {
     StabilityAxis x, y;
     bool goodAtLowY = true;             // on which side the methods are ok
     Outcome fails = Outcome::exploded;  // the least outcome that counts as beyond the boundary
-    std::vector<double> boundaryAt;     // x at which the boundary is found
+    std::vector<double> boundaryAt;     // x at which the boundary is found; none: cells are all
     std::vector<StabilityPanel> panels;
+    // What outcomes are called where they have nothing to do with energy, and what that means.
+    std::vector<std::string> outcomes = {"ok", "drifting", "exploded", "not finite"};
+    std::string outcomeWords =
+        "ok: none of what follows. Drifting: E > 1.01 E0 + work, or what is said above. Exploded: "
+        "E > 1.05 E0 + work, or a strain beyond 200 %. Not finite: a number is not.";
 };
 
 // All of them; and the one of that name. Throws UsageError with the nearest name.
@@ -51,6 +56,7 @@ StabilityMap stiffnessRatioMap();
 StabilityMap chainLengthMap();
 StabilityMap resolutionMap();
 StabilityMap rodSegmentsMap();
+StabilityMap stairsMap();
 StabilityMap rotationMap();
 StabilityMap bdf2SweepsMap();
 StabilityMap bulletMap();

@@ -17,12 +17,12 @@ namespace plait {
 namespace {
 
 constexpr double seconds = 4.5, arcSeconds = 0.5, arcHeight = 0.12;
-constexpr int steps = 10;
 constexpr double onWire = 0.15;  // friction
 constexpr double depth = 0.24;   // m, of a tread, across the way
 
 struct Stairs {
     double rise, tread;  // m
+    int steps;
 };
 
 // Treads from y = 0 down along +x, the first of them `lead` treads long.
@@ -39,11 +39,11 @@ Shape shapeOf(const Stairs& stairs, int lead) {
             profile.push_back({x0 + (x - x0) * i / parts, y0 + (y - y0) * i / parts});
     };
     walk(-(lead - 1) * stairs.tread, 0);
-    for (int k = 0; k < steps; ++k) {
+    for (int k = 0; k < stairs.steps; ++k) {
         walk((k + 1) * stairs.tread, -k * stairs.rise);
         walk((k + 1) * stairs.tread, -(k + 1) * stairs.rise);
     }
-    walk((steps + 3) * stairs.tread, -steps * stairs.rise);
+    walk((stairs.steps + 3) * stairs.tread, -stairs.steps * stairs.rise);
     const int columns = static_cast<int>(profile.size());
     Shape shape = grid({.columns = columns, .rows = across + 1});
     for (int row = 0; row <= across; ++row)
@@ -56,9 +56,9 @@ Shape shapeOf(const Stairs& stairs, int lead) {
 // What is drawn of them: slabs of wood, 20 mm thick, on risers of slate.
 void addStairs(View& view, const Stairs& stairs) {
     constexpr double thick = 0.02;
-    for (int k = -1; k <= steps; ++k) {
+    for (int k = -1; k <= stairs.steps; ++k) {
         const double y = -std::max(k, 0) * stairs.rise, left = (k < 0 ? -2 : k) * stairs.tread,
-                     right = (k < steps ? k + 1 : steps + 3) * stairs.tread;
+                     right = (k < stairs.steps ? k + 1 : stairs.steps + 3) * stairs.tread;
         view.props.push_back({block({.width = right - left, .height = thick, .depth = depth},
                                     {.origin = {left, y - thick, -depth / 2}}),
                               Material::matte,
@@ -98,7 +98,8 @@ Metric wayOf(const Slinky& slinky, const Rod& rod, const Stairs& stairs, bool up
 
 Scene slinky(const Knobs& knobs) {
     const Slinky slinky;
-    const Stairs stairs{knobs.number("rise"), knobs.number("tread")};
+    const Stairs stairs{knobs.number("rise"), knobs.number("tread"),
+                        static_cast<int>(knobs.number("steps"))};
     Scene scene;
     World& world = scene.world;
     const double closed = slinky.turns * slinky.wire.across;
