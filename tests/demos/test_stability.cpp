@@ -179,7 +179,37 @@ TEST_CASE("stability: boundaries stay where they are", "[stability][figures]") {
 }
 
 TEST_CASE("stability: every boundary stays where it is", "[stability][long]") {
-    for (const StabilityMap& map : stabilityMaps()) checkMap(map.name);
+    for (const StabilityMap& map : stabilityMaps())
+        if (!map.boundaryAt.empty()) checkMap(map.name);
+}
+
+TEST_CASE("stability: what is interrupted goes on where it was", "[stability]") {
+    const plait::test::TemporaryFolder folder;
+    int worked = 0, stopAt = 5;
+    const StabilityMap map{.name = "halves",
+                           .title = {},
+                           .words = {},
+                           .note = {},
+                           .theoryWords = {},
+                           .x = {"x", 1, 10},
+                           .y = {"y", 1, 10},
+                           .boundaryAt = {},
+                           .panels = {{"a", [&](double x, double y) {
+                                           if (worked == stopAt) throw Interrupted("stopped");
+                                           ++worked;
+                                           return x < y ? plait::Outcome::ok
+                                                        : plait::Outcome::exploded;
+                                       }}}};
+    CHECK_THROWS_AS(workOut(map, 3, 1, true, folder / "done.csv"), Interrupted);
+    stopAt = 100;
+    // What is kept of other cells is of no use.
+    const Atlas other = workOut(map, 2, 1, true, folder / "other.csv");
+    CHECK(other.outcomes[0] == std::vector{2, 2, 0, 2});
+    worked = 0;
+    const Atlas atlas = workOut(map, 3, 1, true, folder / "done.csv");
+    CHECK(worked == 4);
+    CHECK(atlas.outcomes[0] == std::vector{2, 2, 2, 0, 2, 2, 0, 0, 2});
+    CHECK_FALSE(std::filesystem::exists(folder / "done.csv"));
 }
 
 TEST_CASE("stability: maps by name", "[stability][program]") {
