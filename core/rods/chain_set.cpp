@@ -193,14 +193,13 @@ void ChainSet<Real>::carryRides(const Sweep<Real>& sweep) {
 
 template <class Real>
 bool ChainSet<Real>::isOff(const Sweep<Real>& sweep) const {
-    constexpr double tolerance = 0.002;  // of the length
     const auto at = [&](int v) {
         const Real* const p = sweep.particles + 8 * v;
         return three(p) + three(p + 4);
     };
     return std::ranges::any_of(links_, [&](const ChainLink& link) {
         const double now = length(at(link.edge[1]) - at(link.edge[0]));
-        return std::fabs(now - link.length) > tolerance * link.length;
+        return std::fabs(now - link.length) > link.strain * link.length;
     });
 }
 

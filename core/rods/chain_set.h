@@ -23,10 +23,11 @@ struct ChainRider {
     std::array<int, 2> edge;
 };
 
-// A link that contacts may not leave off its length (m): then the set is solved once more.
+// A link that contacts may leave off its length (m) by this part: beyond, the set is solved once
+// more.
 struct ChainLink {
     std::array<int, 2> edge;
-    double length;
+    double length, strain;
 };
 
 // Inside all is double. Smoothing leaves the set alone, since it leaves no error to spread. Rows

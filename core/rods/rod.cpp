@@ -40,7 +40,7 @@ public:
         all.add(restRows<Stretch>(stencils(rod, edges_, 2), world.rest));
         for (int e = 0; e < edges_; ++e) {
             const int a = rod.points.first + e, b = rod.points.first + next(e);
-            chains.keep({{a, b}, length(world.rest[b] - world.rest[a])});
+            chains.keep({{a, b}, length(world.rest[b] - world.rest[a]), options_.strain});
         }
         std::vector<int> order;
         for (int v = 0; v < vertices_; ++v) {
@@ -76,6 +76,7 @@ private:
         };
         positive(wire.youngs, "Young's modulus");
         positive(wire.density, "density");
+        positive(options_.strain, "the strain that contacts may leave");
         positive(wire.along, "the section along the director");
         if (wire.across != 0) positive(wire.across, "the section across the director");
         if (options_.arm != 0) positive(options_.arm, "the arm");

@@ -47,6 +47,8 @@ struct RodOptions {
     std::vector<Vec<double>> toward{};
     // m, from an edge to its director; 0: half the mean edge, at least twice the gyration.
     double arm = 0;
+    // What contacts may leave of it in a link before the rod is solved once more in the substep.
+    double strain = 0.05;
 };
 
 struct Rod {

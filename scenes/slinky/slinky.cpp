@@ -92,7 +92,8 @@ Rod addSlinky(World& world, const Slinky& slinky, const Vec<double>& foot) {
         outward.push_back({middle.x, 0, middle.z});
     }
     const Vec<double> natural = naturalOf(slinky, curve.positions[1] - curve.positions[0]);
-    return addRod(world, curve, {.wire = slinky.wire, .natural = {natural}, .toward = outward},
+    return addRod(world, curve,
+                  {.wire = slinky.wire, .natural = {natural}, .toward = outward, .strain = 0.002},
                   {.name = "wire"});
 }
 
