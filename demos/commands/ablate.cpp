@@ -1,5 +1,6 @@
 #include "commands.h"
 #include "demos/ledger/ledger.h"
+#include "demos/ledger/tune.h"
 #include "demos/runs/run_options.h"
 #include "demos/tools/errors.h"
 #include "demos/tools/files.h"
@@ -18,38 +19,77 @@ double parseTolerance(std::string word) {
     return parseNumber("--tolerance", word, 0, percent ? 100 : 1) / (percent ? 100 : 1);
 }
 
-int ablate(const Arguments& given) {
-    const Run run = makeRun(requestedSettings(given));
-    const std::filesystem::path folder = given.value("out", "out/ledger/" + run.entry->name);
-    makeFolder(folder);
-    const FolderLock lock(folder);
-    if (given.has("force")) std::filesystem::remove_all(folder / "trials");
-    const LedgerOptions options{
-        .tolerance = parseTolerance(given.value("tolerance", "5%")),
+// A run, what is asked about it, and the folder where the answer goes.
+struct Question {
+    Run run;
+    LedgerOptions options;
+    std::filesystem::path folder;
+};
+
+Question questionOf(const Arguments& given, const std::string& where,
+                    const std::string& tolerance) {
+    Question question{makeRun(requestedSettings(given)), {}, {}};
+    question.folder = given.value("out", where + question.run.entry->name);
+    question.options = {
+        .tolerance = parseTolerance(given.value("tolerance", tolerance)),
         .jobs = static_cast<int>(parseInteger("--jobs", given.value("jobs", "1"), 1, 1024)),
         .quiet = given.has("quiet")};
-    const Ledger ledger = ledgerOf(run, options, folder);
-    const std::string text = writeLedger(ledger, folder, given.line);
-    if (!options.quiet) std::printf("%s%s\n", text.c_str(), (folder / "index.html").c_str());
+    makeFolder(question.folder);
+    return question;
+}
+
+void say(const Question& question, const std::string& text) {
+    if (!question.options.quiet)
+        std::printf("%s%s\n", text.c_str(), (question.folder / "index.html").c_str());
+}
+
+int ablate(const Arguments& given) {
+    const Question asked = questionOf(given, "out/ledger/", "5%");
+    const FolderLock lock(asked.folder);
+    if (given.has("force")) std::filesystem::remove_all(asked.folder / "trials");
+    const Ledger ledger = ledgerOf(asked.run, asked.options, asked.folder);
+    say(asked, writeLedger(ledger, asked.folder, given.line));
     return ledger.complaints().empty() ? exitOk : exitFailed;
+}
+
+int tuneScene(const Arguments& given) {
+    const Question asked = questionOf(given, "out/tune/", "1%");
+    const FolderLock lock(asked.folder);
+    if (given.has("force")) std::filesystem::remove_all(asked.folder / "trials");
+    say(asked, writeTuning(tune(asked.run, asked.options, asked.folder), asked.folder, given.line));
+    return exitOk;
+}
+
+std::vector<Option> optionsOf(const std::string& tolerance, const std::string& where) {
+    std::vector<Option> options = stateOptions();
+    options.push_back(
+        {"tolerance", tolerance, "of a metric's band, that it may move; " + tolerance});
+    options.push_back({"jobs", "N", "runs at a time; 1"});
+    options.push_back(
+        {"force", "", "does again what is finished, as after a change of the program"});
+    options.push_back({"out", "DIR", "where it is kept: " + where});
+    options.push_back(quietOption());
+    return options;
 }
 
 }  // namespace
 
 Command ablateCommand() {
-    std::vector<Option> options = stateOptions();
-    options.push_back({"tolerance", "5%", "of a metric's band that an ingredient may move; 5%"});
-    options.push_back({"jobs", "N", "runs at a time; 1"});
-    options.push_back(
-        {"force", "", "does again what is finished, as after a change of the program"});
-    options.push_back({"out", "DIR", "where it is kept: out/ledger/SCENE"});
-    options.push_back(quietOption());
     return {.name = "ablate",
             .operands = {"SCENE"},
             .meaning = "leaves out each ingredient of a scene, and says which it needs",
-            .options = options,
+            .options = optionsOf("5%", "out/ledger/SCENE"),
             .examples = {"ablate flag -q draft", "ablate pendulum --tolerance 1% --jobs 2"},
             .run = ablate};
+}
+
+Command tuneCommand() {
+    return {.name = "tune",
+            .operands = {"SCENE"},
+            .meaning = "finds the cheapest settings that keep the metrics of a scene",
+            .options = optionsOf("1%", "out/tune/SCENE"),
+            .examples = {"tune flag -q draft", "tune pendulum --tolerance 0.1% --jobs 2"},
+            .run = tuneScene};
 }
 
 }  // namespace plait

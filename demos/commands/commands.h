@@ -13,6 +13,7 @@ Command checkCommand();
 Command compareCommand();
 Command benchCommand();
 Command ablateCommand();
+Command tuneCommand();
 Command stabilityCommand();
 Command studyCommand();
 

@@ -38,7 +38,7 @@ void addMesh(Ingredients& all, const Run& run) {
 }
 
 // A knob that is half as large, and with it the scene: it counts something.
-void addCounts(Ingredients& all, const Run& run) {
+void addKnobs(Ingredients& all, const Run& run) {
     for (const Knob& knob : run.entry->knobs) {
         if (!knob.isNumber()) continue;
         const double value = run.knobs.number(knob.name);
@@ -73,11 +73,33 @@ std::string distinct(std::map<std::string, int>& seen, const std::string& name) 
     return n == 1 ? name : name + " " + std::to_string(n);
 }
 
+bool overruled(const ScheduleOptions& schedule, const World::Set& set) {
+    return (set.contact ? schedule.collisionPasses : schedule.iterations) > 0;
+}
+
+// Evaluations in a substep of one of importance 1.
+double partOfImportance(const Run& run) {
+    return 24 / run.frameRate() / run.scene.options.schedule.substeps;
+}
+
 bool countsByImportance(const Run& run, const World::Set& set) {
-    const ScheduleOptions& schedule = run.scene.options.schedule;
-    const bool overruled = set.contact ? schedule.collisionPasses > 0 : schedule.iterations > 0;
-    const double aSubstep = set.options.importance * 24 / run.frameRate() / schedule.substeps;
-    return !overruled && set.options.secondaryInterval == 0 && aSubstep > 1;
+    return !overruled(run.scene.options.schedule, set) && set.options.secondaryInterval == 0 &&
+           set.options.importance * partOfImportance(run) > 1;
+}
+
+int partOf(int value, double part) {
+    return std::clamp(static_cast<int>(part * value), 1, value - 1);
+}
+
+void addImportance(Ingredients& all, const Run& run, std::size_t s, const std::string& part,
+                   double by) {
+    const World::Set& set = run.scene.world.sets[s];
+    if (!countsByImportance(run, set)) return;
+    const int less = partOf(set.options.importance, by);
+    all.push_back(
+        {part,
+         "importance " + std::to_string(less) + " for " + std::to_string(set.options.importance),
+         [=](Run& r) { r.scene.world.sets.at(s).options.importance = less; }});
 }
 
 void addSets(Ingredients& all, const Run& run) {
@@ -90,12 +112,7 @@ void addSets(Ingredients& all, const Run& run) {
         if (sets[s].options.damping > 0)
             all.push_back({part, "without damping",
                            [s](Run& r) { r.scene.world.sets.at(s).options.damping = 0; }});
-        if (!countsByImportance(run, sets[s])) continue;
-        const int half = std::max(1, sets[s].options.importance / 2);
-        all.push_back({part,
-                       "importance " + std::to_string(half) + " for " +
-                           std::to_string(sets[s].options.importance),
-                       [=](Run& r) { r.scene.world.sets.at(s).options.importance = half; }});
+        addImportance(all, run, s, part, 0.5);
     }
 }
 
@@ -109,12 +126,18 @@ void addForces(Ingredients& all, const Run& run) {
     }
 }
 
-void addCounted(Ingredients& all, const std::string& part, int value,
-                int ScheduleOptions::* place) {
+void addCounted(Ingredients& all, const std::string& part, int value, int ScheduleOptions::* place,
+                double by) {
     if (value < 2) return;
-    const int half = value / 2;
-    all.push_back({part, std::to_string(half) + " for " + std::to_string(value),
-                   [=](Run& r) { r.scene.options.schedule.*place = half; }});
+    const int less = partOf(value, by);
+    all.push_back({part, std::to_string(less) + " for " + std::to_string(value),
+                   [=](Run& r) { r.scene.options.schedule.*place = less; }});
+}
+
+void addCounts(Ingredients& all, const ScheduleOptions& schedule, double by) {
+    addCounted(all, "substeps", schedule.substeps, &ScheduleOptions::substeps, by);
+    addCounted(all, "iterations", schedule.iterations, &ScheduleOptions::iterations, by);
+    addCounted(all, "passes", schedule.collisionPasses, &ScheduleOptions::collisionPasses, by);
 }
 
 // An option that is not what costs least.
@@ -125,22 +148,24 @@ void addOption(Ingredients& all, const std::string& part, const std::string& cha
     all.push_back({part, change, [=](Run& r) { r.scene.options.*place = least; }});
 }
 
-void addOptions(Ingredients& all, const Run& run) {
-    const ScheduleOptions& schedule = run.scene.options.schedule;
-    addCounted(all, "substeps", schedule.substeps, &ScheduleOptions::substeps);
-    addCounted(all, "iterations", schedule.iterations, &ScheduleOptions::iterations);
-    addCounted(all, "passes", schedule.collisionPasses, &ScheduleOptions::collisionPasses);
+// What costs, and is no part of what happens.
+void addCosts(Ingredients& all, const Run& run) {
     addOption(all, "integrator", "first order", run, &SolverOptions::integrator, Integrator::first);
     addOption(all, "direction", "one way", run, &SolverOptions::sweeps, Sweeps::oneWay);
     addOption(all, "base steps", "one", run, &SolverOptions::baseSteps, 1);
     addOption(all, "chebyshev", "off", run, &SolverOptions::chebyshev, 0.0);
     addOption(all, "smoothing", "off", run, &SolverOptions::smoothing, 0);
+    if (run.precision == Precision::full)
+        all.push_back({"precision", "float", [](Run& r) { r.precision = Precision::single; }});
+}
+
+void addOptions(Ingredients& all, const Run& run) {
+    addCounts(all, run.scene.options.schedule, 0.5);
+    addCosts(all, run);
     addOption(all, "damping", "off", run, &SolverOptions::damping, 0.0);
     addOption(all, "limit on acceleration", "off", run, &SolverOptions::limitAcceleration, false);
     addOption(all, "fall-back to first order", "off", run, &SolverOptions::maxAcceleration,
               std::numeric_limits<double>::infinity());
-    if (run.precision == Precision::full)
-        all.push_back({"precision", "float", [](Run& r) { r.precision = Precision::single; }});
     if (run.scene.lead > 0) all.push_back({"lead", "none", [](Run& r) { r.scene.lead = 0; }});
 }
 
@@ -162,11 +187,43 @@ void sweepOut(World& world) {
 std::vector<Ingredient> ingredientsOf(const Run& run) {
     Ingredients all;
     addMesh(all, run);
-    addCounts(all, run);
+    addKnobs(all, run);
     addSets(all, run);
     addForces(all, run);
     addOptions(all, run);
     return all;
+}
+
+std::vector<Ingredient> cheaperSettings(const Run& run) {
+    Ingredients all;
+    std::map<std::string, int> seen;
+    const std::vector<World::Set>& sets = run.scene.world.sets;
+    std::vector<std::string> names;
+    for (const World::Set& set : sets) names.push_back(distinct(seen, set.options.name));
+    for (const double by : {0.5, 0.75}) {
+        addCounts(all, run.scene.options.schedule, by);
+        for (std::size_t s = 0; s < sets.size(); ++s) addImportance(all, run, s, names[s], by);
+    }
+    addCosts(all, run);
+    return all;
+}
+
+Run bySet(Run run) {
+    ScheduleOptions& schedule = run.scene.options.schedule;
+    const double part = partOfImportance(run);
+    const auto importanceOf = [&](int evaluations) {
+        const double importance = evaluations / part;
+        const int whole = static_cast<int>(std::lround(importance));
+        return std::fabs(importance - whole) < 1e-9 && whole <= 1000000 ? whole : 0;
+    };
+    const int sets = importanceOf(schedule.iterations),
+              contacts = importanceOf(schedule.collisionPasses);
+    for (World::Set& set : run.scene.world.sets)
+        if (const int importance = set.contact ? contacts : sets; importance > 0)
+            set.options.importance = importance;
+    if (sets > 0) schedule.iterations = 0;
+    if (contacts > 0) schedule.collisionPasses = 0;
+    return run;
 }
 
 Run without(Run run, std::span<const Ingredient> taken) {

@@ -22,6 +22,14 @@ struct Ingredient {
 // In the order in which they can be taken together: what builds the scene anew comes first.
 std::vector<Ingredient> ingredientsOf(const Run& run);
 
+// Those among them that are settings of the solver, once put to half of what they are and once to
+// three quarters: nothing of the scene is left out.
+std::vector<Ingredient> cheaperSettings(const Run& run);
+
+// The same run, whose sets are each evaluated as often as before by an importance of its own.
+// Where no whole number is that, as it was.
+Run bySet(Run run);
+
 // The run without these.
 Run without(Run run, std::span<const Ingredient> taken);
 

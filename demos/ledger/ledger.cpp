@@ -1,15 +1,9 @@
 #include "ledger.h"
 
-#include "demos/runs/run_all.h"
 #include "demos/tools/errors.h"
-#include "demos/tools/files.h"
-#include "demos/tools/progress.h"
-
-#include <plait/measure/hash.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <set>
@@ -20,81 +14,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double freeOfCharge = 0.02;  // of the work
-constexpr double patience = 8;         // work and time of a trial, in that of the whole scene
-
-constexpr std::array<double Figures::*, 3> allFigures{&Figures::mean, &Figures::least,
-                                                      &Figures::most};
-
-// The trials of a ledger, each run once.
-class Trials {
-public:
-    Trials(const Run& run, const LedgerOptions& options, const std::filesystem::path& folder)
-        : run_(run), options_(options), folder_(folder / "trials") {
-        makeFolder(folder_);
-    }
-
-    // As many as there are words; `make` gives the run of each.
-    std::vector<Trial> of(const std::vector<std::string>& words,
-                          const std::function<Run(int)>& make, const TrialLimit& limit) const {
-        std::vector<Trial> trials(words.size());
-        std::vector<int> left;
-        for (int i = 0; i < static_cast<int>(words.size()); ++i)
-            if (!readTrial(fileOf(words[i]), keyOf(words[i]), run_.scene.metrics, trials[i]))
-                left.push_back(i);
-        const int total = static_cast<int>(words.size()), count = static_cast<int>(left.size());
-        Progress progress("ablate " + run_.entry->name, total - count, total, options_.quiet,
-                          "runs");
-        runAll(count, options_.jobs, total - count, progress, [&](int k, int) {
-            const int i = left[k];
-            trials[i] = tryOut(make(i), limit);
-            writeWhole(fileOf(words[i]), textOf(trials[i], keyOf(words[i]), run_.scene.metrics));
-        });
-        return trials;
-    }
-
-private:
-    std::string keyOf(const std::string& word) const {
-        std::string key = textOf(settingsOf(run_)) + word;
-        std::replace(key.begin(), key.end(), '\n', ' ');
-        return key;
-    }
-    std::filesystem::path fileOf(const std::string& word) const {
-        const std::string key = keyOf(word);
-        char name[32];
-        std::snprintf(name, sizeof name, "%016llx.csv",
-                      static_cast<unsigned long long>(
-                          hashOf(std::span<const char>(key.data(), key.size()), hashSeed)));
-        return folder_ / name;
-    }
-
-    const Run& run_;
-    const LedgerOptions& options_;
-    std::filesystem::path folder_;
-};
-
-TrialLimit limitOf(const Trial& base) {
-    return {patience * static_cast<double>(base.evaluations()),
-            std::max(1.0, patience * base.seconds)};
-}
-
-MetricTolerance toleranceOf(const Metric& metric, std::size_t column, const Trial& base,
-                            const std::vector<Trial>& twins, double tolerance) {
-    MetricTolerance result{};
-    result.base = figuresOf(metric, column, base.rows);
-    const double width = metric.high - metric.low;
-    const double scale = std::isfinite(width) ? width
-                                              : std::max(result.base.most - result.base.least,
-                                                         std::fabs(result.base.mean));
-    for (const auto figure : allFigures) {
-        double low = result.base.*figure, high = low;
-        for (const Trial& twin : twins) {
-            const double value = figuresOf(metric, column, twin.rows).*figure;
-            low = std::min(low, value), high = std::max(high, value);
-        }
-        result.allowed.*figure = std::max(tolerance * scale, 2 * (high - low));
-    }
-    return result;
-}
 
 LedgerRow rowOf(const Ledger& ledger, const std::vector<Metric>& metrics, const std::string& part,
                 const std::string& change, const Trial& trial) {
@@ -155,16 +74,6 @@ LedgerRow leaveOutTogether(const Ledger& ledger, const Run& run, const std::vect
 
 }  // namespace
 
-double MetricTolerance::changeOf(const Figures& figures) const {
-    double change = 0;
-    for (const auto figure : allFigures) {
-        const double by = std::fabs(figures.*figure - base.*figure), most = allowed.*figure;
-        if (by == 0) continue;
-        change = std::max(change, std::isfinite(by) && most > 0 ? by / most : infinite);
-    }
-    return change;
-}
-
 const std::string& wordOf(Need need) {
     static const std::array<std::string, 4> words{"needed", "essential", "spare", "needless"};
     return words[static_cast<std::size_t>(need)];
@@ -199,7 +108,7 @@ std::vector<std::string> Ledger::complaints() const {
 
 Ledger ledgerOf(const Run& run, const LedgerOptions& options, const std::filesystem::path& folder) {
     const std::vector<Ingredient> all = ingredientsOf(run);
-    const Trials trials(run, options, folder);
+    const Trials trials("ablate", run, options, folder);
     const std::vector<Metric>& metrics = run.scene.metrics;
     Ledger ledger{.scene = run.entry->name, .tolerance = options.tolerance};
     for (const Metric& metric : metrics) ledger.metrics.push_back(metric.name);

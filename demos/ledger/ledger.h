@@ -3,23 +3,13 @@
 #pragma once
 
 #include "ingredients.h"
-#include "trial.h"
+#include "trials.h"
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace plait {
-
-// What of a metric's figures may change. That is the part `tolerance` of the width of its band, or,
-// where it has no such, of what it goes through or comes to; nothing where the band has no width;
-// and never less than twice what chance changes (nudged()).
-struct MetricTolerance {
-    Figures base, allowed;
-
-    // The change of these figures, in what is allowed; infinite where nothing is.
-    double changeOf(const Figures& figures) const;
-};
 
 enum class Need {
     needed,     // moves a metric beyond its tolerance
@@ -52,12 +42,6 @@ struct Ledger {
     std::vector<std::string> idleMetrics() const;
     // What a scene must not have, a line each: needless ingredients, idle metrics.
     std::vector<std::string> complaints() const;
-};
-
-struct LedgerOptions {
-    double tolerance = 0.05;
-    int jobs = 1;
-    bool quiet = false;
 };
 
 // Finished trials are kept in `folder`, and are not run again, even by another build of

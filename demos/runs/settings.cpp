@@ -89,6 +89,38 @@ Setting methodSetting() {
     return setting;
 }
 
+// "stretch=48,contacts=24", of the sets that are evaluated by it.
+std::string importanceText(const Run& run) {
+    const ScheduleOptions& schedule = run.scene.options.schedule;
+    std::string words;
+    for (const World::Set& set : run.scene.world.sets)
+        if ((set.contact ? schedule.collisionPasses : schedule.iterations) == 0 &&
+            set.options.secondaryInterval == 0)
+            words += (words.empty() ? "" : ",") + set.options.name + "=" +
+                     std::to_string(set.options.importance);
+    return words;
+}
+
+// Of two sets of one name the first comes first.
+void setImportance(Run& run, const std::string& words) {
+    std::map<std::string, std::size_t> next;  // by name: where to seek
+    std::vector<World::Set>& sets = run.scene.world.sets;
+    for (std::size_t begin = 0; begin < words.size();) {
+        const std::size_t end = std::min(words.find(',', begin), words.size());
+        const std::string word = words.substr(begin, end - begin);
+        begin = end + 1;
+        const std::size_t equals = word.rfind('=');
+        const std::string name = word.substr(0, equals);
+        std::size_t& place = next[name];
+        while (place < sets.size() && sets[place].options.name != name) ++place;
+        if (equals == std::string::npos || place == sets.size())
+            throw UsageError("--importance SET=N,..., with a set of " + run.entry->name + ", not " +
+                             word);
+        sets[place++].options.importance = static_cast<int>(
+            parseInteger("--importance " + name, word.substr(equals + 1), 1, 1000000));
+    }
+}
+
 // In the order in which they are applied: frame rate before substeps, method before integrator.
 const std::vector<Setting>& table() {
     static const std::vector<Setting> all = {
@@ -111,6 +143,9 @@ const std::vector<Setting>& table() {
               [](auto& run) -> auto& { return run.scene.options.schedule.iterations; }),
         count("passes", 0, "in a substep, of contacts; 0: by importance",
               [](auto& run) -> auto& { return run.scene.options.schedule.collisionPasses; }),
+        {{"importance", "SET=N,...", "evaluations of sets in 1/24 s, where no count is given"},
+         importanceText,
+         setImportance},
         {{"chebyshev", "RHO", "mixes iterations, for rates up to this, below 1; 0: off"},
          [](const Run& run) { return text(run.scene.options.chebyshev); },
          [](Run& run, const std::string& word) {

@@ -113,7 +113,7 @@ std::vector<int> upperTurns(const Slinky& slinky, const Rod& rod, int turns) {
 }
 
 // From a helix that knows its own angle, 0.5 % off since the turn that holds it is level, to rest.
-void hang(World& world, const Slinky& slinky, const Rod& rod) {
+void hang(World& world, const Slinky& slinky, const Rod& rod, int substeps) {
     int e = 0;
     while (!world.pinned[rod.points.first + e]) ++e;
     const double l = length(world.rest[1] - world.rest[0]),
@@ -148,7 +148,8 @@ void hang(World& world, const Slinky& slinky, const Rod& rod) {
         director = middle + (arm / length(out)) * out;
     }
 
-    SolverOptions options{.sweeps = Sweeps::oneWay, .schedule = {.substeps = 12, .iterations = 1}};
+    SolverOptions options{.sweeps = Sweeps::oneWay,
+                          .schedule = {.substeps = substeps, .iterations = 1}};
     options.damping = 0.2;
     Solver<double> solver(world, options);
     for (int frame = 0; frame < 40; ++frame) solver.frame();

@@ -1,5 +1,7 @@
 // What a scene needs: ingredients read off it, taken away, and judged.
 #include "demos/ledger/ledger.h"
+#include "demos/ledger/tune.h"
+#include "demos/tools/errors.h"
 #include "demos/tools/files.h"
 #include "tests/catch.h"
 #include "tests/scratch_folder.h"
@@ -186,6 +188,64 @@ TEST_CASE("ledger: one that was stopped goes on with what it has", "[ledger]") {
     shorter.scene.seconds = 0.25;
     CHECK(csvOf(ledgerOf(shorter, options, path)) != before);  // is not taken for the other
     CHECK(csvOf(ledgerOf(run, options, path)) == before);
+}
+
+TEST_CASE("ledger: evaluations by set are as many as by a count for all", "[ledger]") {
+    const Run run = makeRun({{"scene", "flag"}, {"quality", "draft"}, {"iterations", "3"}});
+    const Run own = bySet(run);
+    CHECK(own.scene.options.schedule.iterations == 0);
+    const auto evaluations = [](const Run& of) {
+        return tryOut(without(of, {}), {1e18, 1e18}).evaluations();
+    };
+    Run shortRun = run, shortOwn = own;
+    shortRun.scene.seconds = shortOwn.scene.seconds = 0.1;
+    CHECK(evaluations(shortRun) == evaluations(shortOwn));
+    const std::vector<Ingredient> all = cheaperSettings(own);
+    const std::set<std::string> names = namesOf(all);
+    CHECK_FALSE(names.contains("gravity: left out"));
+    const std::string set = own.scene.world.sets[0].options.name;
+    const int importance = own.scene.world.sets[0].options.importance;
+    const Run less =
+        without(own, {&find(all, set + ": importance " + std::to_string(importance / 2) + " for " +
+                                     std::to_string(importance)),
+                      1});
+    CHECK(less.scene.world.sets[0].options.importance == importance / 2);
+    // As the command line says it.
+    const std::string words = valueOf(settingsOf(less), "importance");
+    const Run told = makeRun({{"scene", "flag"},
+                              {"quality", "draft"},
+                              {"iterations", "0"},
+                              {"passes", valueOf(settingsOf(less), "passes")},
+                              {"importance", words}});
+    CHECK(valueOf(settingsOf(told), "importance") == words);
+    CHECK_THROWS_AS(makeRun({{"scene", "flag"}, {"importance", "none=3"}}), UsageError);
+    CHECK_THROWS_AS(makeRun({{"scene", "flag"}, {"importance", set}}), UsageError);
+}
+
+// Sweeps of a rope that hangs: four times the substeps of what is converged are needless, and 20 of
+// 4 evaluations are not enough.
+TEST_CASE("ledger: the cheapest settings keep what is converged", "[ledger]") {
+    const ScratchFolder folder;
+    const LedgerOptions options{.tolerance = 0.02, .quiet = true};
+    Run run = ropes(ropesEntry);
+    run.scene.metrics.resize(1);
+    const Tuning tuning = tune(run, options, folder / "own");
+    REQUIRE_FALSE(tuning.settings.empty());
+    const auto distance = [&](const Trial& trial) {
+        const MetricTolerance t = toleranceOf(run.scene.metrics[0], 0, tuning.converged, {}, 0.02);
+        return t.changeOf(figuresOf(run.scene.metrics[0], 0, trial.rows));
+    };
+    CHECK(distance(tuning.chosen) <= 1);
+    for (const TuneStep& step : tuning.steps)
+        if (step.taken) CHECK(step.worst <= 1);
+    // Told on the command line, it is that run.
+    CHECK(tuning.settings.find("--") == 0);
+
+    Run fine = run;
+    fine.scene.options.schedule.substeps = 400;
+    const Tuning lower = tune(fine, options, folder / "fine");
+    CHECK(lower.chosen.evaluations() < lower.own.evaluations() / 2);
+    CHECK(distance(lower.chosen) <= 1.5);
 }
 
 }  // namespace plait::test
