@@ -15,7 +15,7 @@ struct Landing {
     double time;  // s
 };
 
-// An end lands where its outermost turn first lies within 4 mm of a tread below its last one.
+// An end lands as its outermost turn first touches a tread below its last one, by 1.5 mm.
 class Landings {
 public:
     // `rise` and `tread` of the stairs, m.

@@ -8,7 +8,6 @@
 #include <plait/numbers/elementary.h>
 #include <plait/solver.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -25,19 +24,28 @@ double levelPitch(const Slinky& slinky) { return arctangent2(slinky.wire.across,
 // The part of its turns that the pre-tension does not hold together as it hangs.
 double openOf(const Slinky& slinky) { return 1 - slinky.pretension / (slinky.mass() * g); }
 
-// A coil of straight links is stiffer (tests/core/rods): by 2 % at 24 a turn.
+// rad/m: a pre-tension is a twist that its wire had less of before its turns met.
+double untwistOf(const Slinky& slinky) {
+    return slinky.pretension * slinky.radius / slinky.wire.twisting();
+}
+
+// Of what is not on the next turn. A coil of straight links is stiffer (tests/core/rods): by 2 % at
+// 24 a turn.
 Helix hungBy(const Slinky& slinky, double force, const Helix& at) {
     const double twisting =
         slinky.wire.twisting() * (1 + 7 * pi * pi / (6.0 * slinky.links * slinky.links));
-    return hungBy({levelPitch(slinky), slinky.radius}, {slinky.wire.bendingSide(), twisting}, force,
-                  at);
+    const double level = levelPitch(slinky), c = cosine(level), bend = c * c / slinky.radius,
+                 twist = sine(level) * c / slinky.radius - untwistOf(slinky),
+                 pitch = arctangent2(twist, bend), cosineOfRest = cosine(pitch);
+    const Helix helix = hungBy({pitch, cosineOfRest * cosineOfRest / bend},
+                               {slinky.wire.bendingSide(), twisting}, force, at);
+    return helix.pitch > level ? helix : Helix{level, slinky.radius};
 }
 
-// As it is wound: a pre-tension is a twist that its wire had less of before its turns met.
+// As it is wound.
 Vec<double> naturalOf(const Slinky& slinky, const Vec<double>& edge) {
     const double l = length(edge), rise = edge.y / l, bend = 2 * pi / (slinky.links * l);
-    return {0, -bend * std::sqrt(1 - rise * rise),
-            bend * rise - slinky.pretension * slinky.radius / slinky.wire.twisting()};
+    return {0, -bend * std::sqrt(1 - rise * rise), bend * rise - untwistOf(slinky)};
 }
 
 }  // namespace
@@ -119,9 +127,7 @@ void hang(World& world, const Slinky& slinky, const Rod& rod, int substeps) {
     const double l = length(world.rest[1] - world.rest[0]),
                  weight = slinky.wire.density * slinky.wire.area() * l * g;
     std::vector<Helix> links{{levelPitch(slinky), slinky.radius}};
-    for (int i = 0; i < e; ++i)
-        links.push_back(
-            hungBy(slinky, std::max((i + 0.5) * weight - slinky.pretension, 0.0), links.back()));
+    for (int i = 0; i < e; ++i) links.push_back(hungBy(slinky, (i + 0.5) * weight, links.back()));
 
     std::vector<Vec<double>>& x = world.start;
     const Vec<double> held = x[rod.points.first + e];
