@@ -307,7 +307,7 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                     .meaning = "straight pieces in which a turn is divided",
                     .value = 24,
                     .low = 8,
-                    .high = 96}},
+                    .high = 48}},
          .build = levitation},
         {.name = "liquid",
          .title = "Liquid",

@@ -147,7 +147,10 @@ void hang(World& world, const Slinky& slinky, const Rod& rod) {
         director = middle + (arm / length(out)) * out;
     }
 
-    SolverOptions options{.sweeps = Sweeps::oneWay, .schedule = {.substeps = 12, .iterations = 1}};
+    // Finer turns fly apart in longer substeps: 32 links of a turn with 12.
+    SolverOptions options{
+        .sweeps = Sweeps::oneWay,
+        .schedule = {.substeps = std::max(12, slinky.links / 2), .iterations = 1}};
     options.damping = 0.2;
     Solver<double> solver(world, options);
     for (int frame = 0; frame < 40; ++frame) solver.frame();

@@ -93,13 +93,14 @@ Study slinkyStudy() {
                    {"moves", "way of the last turn until 0.97 of that time / extension"}},
         .measure = measureFall};
     study.reference.words = "closed forms of the wire (scenes/slinky/slinky.h)";
-    for (const int links : {12, 24, 48})
-        study.curves.push_back(curve(std::to_string(links) + " links a turn",
-                                     {{"knob.links", std::to_string(links)}},
-                                     doubling(5, links < 48 ? 20 : 10)));
+    const auto of = [](int links, const std::vector<int>& steps) {
+        const std::string number = std::to_string(links);
+        return curve(number + " links a turn", {{"knob.links", number}}, steps);
+    };
+    study.curves = {of(12, {2, 5, 10, 20}), of(24, {5, 10, 20}), of(48, {20, 40})};
     study.omissions = {
-        "fewer substeps than 5 in 1/240 s: turns that fall on each other are held too late; with 2 "
-        "the time is off by half, and most of the minute that it takes goes to contacts"};
+        "24 links a turn in fewer substeps than 5 of 1/240 s, 48 in fewer than 20: turns that meet "
+        "are held too late (24 in 2: half the time), and contacts take minutes"};
     return study;
 }
 
