@@ -20,9 +20,9 @@ namespace {
 constexpr double gravity = 9.81;  // m/s^2
 constexpr double rest = 7;        // s, when it has come to rest
 
-// Of polyethylene, 1 m of which weighs so much against its stiffness: w L^3 / B.
+// Of polyurethane, 1 m of which weighs so much against its stiffness: w L^3 / B.
 Wire plasticOf(double weight) {
-    Wire wire{.youngs = 2.5e8, .poisson = 0.4, .density = 920};
+    Wire wire{.youngs = 1e8, .poisson = 0.48, .density = 1100};
     wire.along = std::sqrt(16 * wire.density * gravity / (wire.youngs * weight));
     return wire;
 }
@@ -124,13 +124,15 @@ Scene heavyRod(const Knobs& knobs) {
                      height("tip", rod.points.last - 1, {-1, 1e-6}),
                      fastestOf(rod, {0, 0.01, rest})};
     View& view = scene.view;
-    view = viewOf({rod.points}, {0.45, -0.38, 0}, 1.2, Material::rubber, {0.3, 0.25, 2.4});
+    view = viewOf({rod.points}, {0.36, -0.36, 0}, 0.95, Material::rubber, {0.5, 0.35, 2.4});
     view.looks[0].section = {.along = wire.along};
     view.looks[0].directors = rod.directors;
     view.ground = false;
     const double half = wire.along / 2;
-    addBox(view, {-0.12, half, -0.05}, {0, half + 0.03, 0.05});
-    addBox(view, {-0.12, -half - 0.03, -0.05}, {0, -half, 0.05});
+    addBox(view, {-0.1, half, -0.05}, {0, half + 0.03, 0.05});
+    addBox(view, {-0.1, -half - 0.03, -0.05}, {0, -half, 0.05});
+    addBar(view, {-0.05, half + 0.03, 0}, {-0.05, half + 0.05, 0}, 0.012, Material::brass);
+    addBar(view, {-1, 0, 0}, {-0.1, 0, 0}, 0.014, Material::steel);
     return scene;
 }
 
