@@ -33,7 +33,7 @@ std::string join(const Words& words) {
 
 Words columnsOf(const Study& study) {
     Words columns;
-    for (const auto& [name, value] : settingsOf(studyRun(study, {}))) columns.push_back(name);
+    for (const auto& [name, value] : studySettings(study, {})) columns.push_back(name);
     columns.insert(columns.end(), {"repeat", "ending", "evaluations", "seconds[s]", "cpu[s]"});
     for (const ErrorKind& kind : study.errors) columns.push_back(kind.key);
     columns.emplace_back("hash");
@@ -161,7 +161,7 @@ bool StudyPoint::failed() const {
 std::vector<StudyPoint> pointsOf(const Study& study, const std::vector<StudyRow>& rows) {
     std::map<std::string, std::vector<const StudyRow*>> bySettings;
     for (const StudyRow& row : rows) bySettings[textOf(row.settings)].push_back(&row);
-    const std::string own = textOf(settingsOf(studyRun(study, {})));
+    const std::string own = textOf(studySettings(study, {}));
     std::vector<StudyPoint> points;
     const auto take = [&](const std::string& curve, const std::string& settings) {
         const auto found = bySettings.find(settings);
@@ -172,11 +172,11 @@ std::vector<StudyPoint> pointsOf(const Study& study, const std::vector<StudyRow>
     std::vector<std::string> taken;
     for (const StudyCurve& curve : study.curves)
         for (const Settings& task : curve.tasks) {
-            taken.push_back(textOf(settingsOf(studyRun(study, task))));
+            taken.push_back(textOf(studySettings(study, task)));
             take(curve.name, taken.back());
         }
     for (const std::string& settings : taken) bySettings.erase(settings);
-    const Settings model = settingsOf(studyRun(study, {}));
+    const Settings model = studySettings(study, {});
     std::vector<std::string> others;
     for (const auto& [settings, of] : bySettings)
         if (ofModel(study, model, of[0]->settings)) others.push_back(settings);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <mutex>
 
 namespace plait {
 
@@ -17,6 +19,15 @@ Run studyRun(const Study& study, const Settings& settings) {
                          [&](const auto& s) { return s.first == name; }))
             all.emplace_back(name, value);
     return makeRun(all);
+}
+
+const Settings& studySettings(const Study& study, const Settings& settings) {
+    static std::mutex one;
+    static std::map<std::string, Settings> kept;
+    const std::lock_guard lock(one);
+    Settings& all = kept[textOf(study.model) + "\n" + textOf(settings)];
+    if (all.empty()) all = settingsOf(studyRun(study, settings));
+    return all;
 }
 
 std::vector<ErrorKind> usualErrors(bool conserved, bool hard) {

@@ -37,9 +37,9 @@ struct Reference {
 // How a reference is found: `solve` halves its step with each `refinement`, 0 and 1; `confirm` is
 // another integrator. No `confirm`: the reference solves the very equations of its steps, and is
 // exact, or what is compared are statistics, which converge though no trajectory does. No `solve`:
-// there is no reference, and errors are statistics. Frames count from the first on for as long as
-// both differences of each stay below the part `trust` of the size of the scene; where they do not,
-// the comparison ends early.
+// there is no trajectory, and errors are statistics, or off what `words` tell of. Frames count from
+// the first on for as long as both differences of each stay below the part `trust` of the size of
+// the scene; where they do not, the comparison ends early.
 struct ReferenceRule {
     std::string words, confirmingWords;
     std::function<Trajectory(const Run&, int refinement)> solve;
@@ -93,6 +93,8 @@ const Study& studyNamed(const std::string& name);
 
 // The run of a study with these settings on top of its model.
 Run studyRun(const Study& study, const Settings& settings);
+// All settings of that run: found once, since a scene may take a second to be built.
+const Settings& studySettings(const Study& study, const Settings& settings);
 
 // Position (rms over the frames of the reference, and at the last of them), energy where it is
 // conserved, and violation of hard constraints: what most studies measure.

@@ -16,10 +16,10 @@ namespace plait {
 
 std::vector<StudyTask> tasksOf(const Study& study, int repeats) {
     std::vector<Settings> once{{}};
-    std::set<std::string> seen{textOf(settingsOf(studyRun(study, {})))};
+    std::set<std::string> seen{textOf(studySettings(study, {}))};
     for (const StudyCurve& curve : study.curves)
         for (const Settings& task : curve.tasks)
-            if (seen.insert(textOf(settingsOf(studyRun(study, task)))).second) once.push_back(task);
+            if (seen.insert(textOf(studySettings(study, task))).second) once.push_back(task);
     std::vector<StudyTask> tasks;
     for (int repeat = 1; repeat <= repeats; ++repeat)
         for (const Settings& settings : once) tasks.push_back({settings, repeat});
@@ -68,7 +68,7 @@ StudyFolder::StudyFolder(const Study& study, std::filesystem::path path)
 
 std::filesystem::path StudyFolder::rowPath(const StudyTask& task) const {
     const std::string key =
-        textOf(settingsOf(studyRun(study_, task.settings))) + std::to_string(task.repeat);
+        textOf(studySettings(study_, task.settings)) + std::to_string(task.repeat);
     char name[32];
     std::snprintf(name, sizeof name, "%016llx.csv",
                   static_cast<unsigned long long>(hashOf(std::span<const char>(key), hashSeed)));
@@ -81,7 +81,7 @@ bool StudyFolder::done(const StudyTask& task) const {
     try {
         const std::vector<StudyRow> rows = rowsFrom(study_, readWhole(path), path.string());
         return rows.size() == 1 && rows[0].repeat == task.repeat &&
-               rows[0].settings == settingsOf(studyRun(study_, task.settings));
+               rows[0].settings == studySettings(study_, task.settings);
     } catch (const FileError&) {  // of a study that was measured otherwise
         return false;
     }

@@ -6,6 +6,7 @@
 namespace plait {
 
 Scene goal(const Knobs&);
+Scene heavyRod(const Knobs&);
 Scene sheetSlinky(const Knobs&);
 Scene tendrils(const Knobs&);
 Scene tress(const Knobs&);

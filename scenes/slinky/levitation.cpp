@@ -88,8 +88,8 @@ void addRuler(View& view, double x, double length) {
 
 }  // namespace
 
-Scene levitation(const Knobs&) {
-    const Slinky slinky;
+Scene levitation(const Knobs& knobs) {
+    const Slinky slinky{.links = static_cast<int>(std::lround(knobs.number("links")))};
     Scene scene;
     World& world = scene.world;
     const double closed = slinky.turns * slinky.wire.across;

@@ -8,6 +8,7 @@
 #include <plait/numbers/elementary.h>
 #include <plait/solver.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -121,7 +122,7 @@ std::vector<int> upperTurns(const Slinky& slinky, const Rod& rod, int turns) {
 }
 
 // From a helix that knows its own angle, 0.5 % off since the turn that holds it is level, to rest.
-void hang(World& world, const Slinky& slinky, const Rod& rod, int substeps) {
+void hang(World& world, const Slinky& slinky, const Rod& rod) {
     int e = 0;
     while (!world.pinned[rod.points.first + e]) ++e;
     const double l = length(world.rest[1] - world.rest[0]),
@@ -154,6 +155,9 @@ void hang(World& world, const Slinky& slinky, const Rod& rod, int substeps) {
         director = middle + (arm / length(out)) * out;
     }
 
+    // Finer turns fly apart in longer substeps, 32 links of one with 12; those that are pressed on
+    // each other take long to part.
+    const int substeps = slinky.pretension > 0 ? 50 : std::max(12, slinky.links / 2);
     SolverOptions options{.sweeps = Sweeps::oneWay,
                           .schedule = {.substeps = substeps, .iterations = 1}};
     options.damping = 0.2;

@@ -43,10 +43,9 @@ Surface skinOf(const Slinky& slinky, const Rod& rod);
 // The points and directors of so many turns from the upper end.
 std::vector<int> upperTurns(const Slinky& slinky, const Rod& rod, int turns);
 
-// Starts it as it hangs by what is pinned of its upper end. It takes 1.7 s, of so many substeps in
-// 1/24 s, so that whatever is let go in that time must be told of later. Turns that a pre-tension
-// presses together want 50.
-void hang(World& world, const Slinky& slinky, const Rod& rod, int substeps = 12);
+// Starts it as it hangs by what is pinned of its upper end. It takes 1.7 s, so that whatever is let
+// go in that time must be told of later.
+void hang(World& world, const Slinky& slinky, const Rod& rod);
 
 Scene levitation(const Knobs& knobs);
 Scene slinky(const Knobs& knobs);

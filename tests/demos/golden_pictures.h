@@ -38,6 +38,7 @@ inline const std::vector<GoldenScene> goldenScenes{
     {"glass", 60, 14},
     {"goal", 66, 6},
     {"hanging-sheet", 79},
+    {"heavy-rod", 24},
     {"layered-sheets", 10},
     {"levitation", 108},
     {"liquid", 120, 1},

@@ -74,6 +74,36 @@ TEST_CASE("tendrils: limp cords hang as catenaries, curled ones as their wire sa
     holdToBands(scene, 7 * 24);
 }
 
+namespace {
+
+Scene heavyRodOf(const char* solve, double links) {
+    const SceneEntry& entry = findScene("heavy-rod");
+    Knobs knobs = Knobs::defaults(entry.knobs, Quality::draft);
+    knobs.texts["solve"] = solve;
+    knobs.numbers["links"] = links;
+    return entry.build(knobs);
+}
+
+}  // namespace
+
+TEST_CASE("heavy rod: each joint bears what lies beyond it; swept, the more the finer it is",
+          "[scenes][rods][SH8][DC9]") {
+    for (const char* solve : {"points", "frames"})
+        for (const double links : {8.0, 64.0}) holdToBands(heavyRodOf(solve, links), 480);
+    double before = 0;
+    for (const double links : {4.0, 8.0, 16.0, 32.0}) {
+        const Scene scene = heavyRodOf("sweeps", links);
+        Solver<float> solver(scene.world, scene.options);
+        for (int frame = 0; frame < 480; ++frame) solver.frame();
+        const auto x = solver.positions(), v = solver.velocities();
+        const double off = scene.metrics[0].measure({x, v, solver.time(), 480});
+        note("swept, " + std::to_string(std::lround(links)) + " links: moment off, %", off);
+        CHECK(off > before);
+        before = off;
+    }
+    CHECK(before > 10);
+}
+
 // Fewer locks, so that it is soon done.
 TEST_CASE("tress: waves are kept in gusts, and nothing goes through the head",
           "[scenes][rods][contacts][FX30]") {

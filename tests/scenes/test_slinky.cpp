@@ -248,7 +248,7 @@ TEST_CASE("slinky: with a pre-tension it closes sooner", "[rods][long][FX4]") {
     world.act<Gravity>(GravityOptions{});
     meet(world, {skinOf(slinky, rod)});
     const double closed = lowestTurn(slinky, world.start);
-    hang(world, slinky, rod, 50);
+    hang(world, slinky, rod);
     const double rest = lowestTurn(slinky, world.start);
     CHECK(report("extension off", std::fabs((closed - rest) / slinky.extension() - 1), 0.04));
     world.letGo(hand, 0);

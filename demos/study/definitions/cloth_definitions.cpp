@@ -4,8 +4,8 @@
 
 namespace plait {
 
-Study cantileverStudy() {
-    Study study{.name = "cantilever",
+Study cantileverStripStudy() {
+    Study study{.name = "cantilever-strip",
                 .title = "Strip of cloth clamped at one end, let go from horizontal, 0.5 s",
                 .model = {{"scene", "cantilever"}, {"seconds", "0.5"}},
                 .size = 0.3,

@@ -1,5 +1,5 @@
 // The studies, one function each: a model, its reference, and the curves that are drawn. Points and
-// chains here, cloth in the other files of definitions.
+// chains here, rods and cloth in the other files of definitions.
 #include "definitions.h"
 
 #include "demos/study/references/rigid_chain.h"
@@ -132,10 +132,12 @@ Study chainStudy() {
 }  // namespace
 
 const std::vector<Study>& studies() {
-    static const std::vector<Study> all{
-        unitSpring(),     pendulumStudy(), chainStudy(),   cantileverStudy(), stripStudy(),
-        sheetStudy(32),   sheetStudy(64),  sheetStep(128), sheetStep(256),    sheetStrain(128),
-        sheetStrain(256), flagStudy(),     sphereStudy(),  dressStudy()};
+    static const std::vector<Study> all{unitSpring(),      pendulumStudy(), chainStudy(),
+                                        cantileverStudy(), slinkyStudy(),   cantileverStripStudy(),
+                                        stripStudy(),      sheetStudy(32),  sheetStudy(64),
+                                        sheetStep(128),    sheetStep(256),  sheetStrain(128),
+                                        sheetStrain(256),  flagStudy(),     sphereStudy(),
+                                        dressStudy()};
     return all;
 }
 

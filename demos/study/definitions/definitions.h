@@ -1,4 +1,4 @@
-// What definitions of studies are put together from, and the studies of cloth.
+// What definitions of studies are put together from, and the studies of curves and cloth.
 #pragma once
 
 #include "demos/study/study.h"
@@ -31,6 +31,8 @@ Settings by(const std::string& method, const std::string& integrator = "first");
 Trajectory fine(const Study& study, Settings settings, int substeps);
 
 Study cantileverStudy();
+Study cantileverStripStudy();
+Study slinkyStudy();
 Study stripStudy();
 Study sheetStudy(int n);   // n x n vertices against a reference
 Study sheetStrain(int n);  // the work of peers

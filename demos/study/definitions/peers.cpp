@@ -61,4 +61,22 @@ std::vector<Peer> peersOnSheet(int n) {
     return {};
 }
 
+std::vector<Peer> peersOnRod() {
+    constexpr int segments = 64;
+    struct Measured {
+        int substeps;  // in 1/60 s
+        double drop, stretch, speed;
+    };
+    Peer jolt{"Jolt, n x 1", {}};
+    for (const Measured& row : {Measured{10, 0.091, 0.032, 5e-5},
+                                {20, 0.023, 0.0078, 3e-4},
+                                {50, 0.003, 0.0012, 1e-3},
+                                {100, 0.020, 0.0003, 4e-3},
+                                {200, 0.044, 0.00007, 1e-2}})
+        jolt.points.push_back({.cost = 43e-6 * segments * row.substeps * 60 / 24,
+                               .evaluations = 60.0 * (2 * segments - 1) * row.substeps,
+                               .errors = {row.drop, row.stretch, row.speed}});
+    return {jolt};
+}
+
 }  // namespace plait

@@ -12,4 +12,8 @@ namespace plait {
 // Errors as strainErrors() has them. Empty for sizes other than 128 and 256.
 std::vector<Peer> peersOnSheet(int n);
 
+// And of the heavy rod of 64 links, w L^3 / B = 10: Jolt 3b47ec39, one thread of an AMD EPYC with
+// AVX-512. Errors are those of cantileverStudy().
+std::vector<Peer> peersOnRod();
+
 }  // namespace plait

@@ -15,7 +15,7 @@ namespace {
 // What a kept reference is of.
 std::string headerOf(const Study& study) {
     return "# " + study.reference.words + "\n# " + study.reference.confirmingWords + "\n" +
-           textOf(settingsOf(studyRun(study, {})));
+           textOf(studySettings(study, {}));
 }
 
 }  // namespace
@@ -76,7 +76,8 @@ Reference keptReference(const Study& study, const std::filesystem::path& file, b
 }
 
 std::string describe(const Study& study, const Reference& reference) {
-    if (!study.reference.solve) return "no reference: statistics only";
+    if (!study.reference.solve)
+        return study.reference.words.empty() ? "none: statistics only" : study.reference.words;
     if (!study.reference.confirm) return study.reference.words;
     const Run run = studyRun(study, {});
     char line[200];
