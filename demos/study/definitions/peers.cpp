@@ -67,7 +67,7 @@ std::vector<Peer> peersOnRod() {
         int substeps;  // in 1/60 s
         double drop, stretch, speed;
     };
-    Peer jolt{"Jolt, n x 1", {}};
+    Peer jolt{"Jolt, on another EPYC", {}};
     for (const Measured& row : {Measured{10, 0.091, 0.032, 5e-5},
                                 {20, 0.023, 0.0078, 3e-4},
                                 {50, 0.003, 0.0012, 1e-3},
