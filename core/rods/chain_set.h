@@ -62,7 +62,15 @@ private:
         std::vector<double> parameters, lambda;
     };
 
-    void layOut(std::span<const ChainCurve* const> curves, bool along);
+    // A layout, and the loops for as many lanes as it has.
+    struct Laid {
+        ChainLayout layout;
+        const ChainTable<Real>* kernels;
+        std::vector<ChainRowsKernel> rows;  // by part of the set
+    };
+
+    // Units of curves of one plan.
+    void layOut(std::span<const ChainCurve* const> curves, KernelChoice choice, bool along);
     void fill(Unit& unit, const ChainLayout::Part& part) const;
     template <class Change>
     void forUnits(const Sweep<Real>& sweep, Workers& workers, const Change& change);
@@ -73,10 +81,7 @@ private:
     std::vector<ChainRider> riders_;
     std::vector<Vec<double>> middles_;  // of their edges, twice, as noted
     std::vector<ChainLink> links_;
-    KernelChoice choice_;
-    const ChainTable<Real>& kernels_;
-    std::vector<std::array<ChainRowsKernel, 2>> rowKernels_;  // by part
-    std::vector<ChainLayout> layouts_;
+    std::vector<Laid> layouts_;
     std::vector<Unit> units_;
     std::vector<std::vector<double>> scratch_;  // by thread
     bool fresh_ = true;                         // no multipliers yet in this substep
