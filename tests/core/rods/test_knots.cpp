@@ -275,3 +275,16 @@ TEST_CASE("knots: links shorter than the rod is thick do not hold their neighbou
         CHECK(report("otherwise than without contacts, m", most, 1e-4));
     }
 }
+
+// A spring whose turns overlap by a tenth of the wire.
+TEST_CASE("knots: turns that begin in each other stay as they lie", "[rods][contacts]") {
+    World world;
+    const Rod rod = addRod(
+        world, helix({.links = 96, .radius = 5 * diameter, .turns = 4, .pitch = 0.9 * diameter}),
+        {.wire = rubber}, {.name = "spring"});
+    meet(world, {{.vertices = rod.points, .thickness = diameter / 2}});
+    Solver<float> solver(world, meeting(80));
+    advance(solver, 24);
+    REQUIRE(countsOf(solver, world).contacts > 50);
+    CHECK(report("speed, m/s", topSpeed(solver), 1e-5));
+}
