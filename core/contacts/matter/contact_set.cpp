@@ -145,7 +145,11 @@ double ContactSet<Real>::wholeGapOf(const Pairing& pair, const Nearest& now) con
     return gap;
 }
 
-// What begins too near parts no faster than `recovery`, however thick it is (CC15, CC17).
+// What begins too near parts no faster than `recovery`, however thick it is (CC15, CC17). It flies
+// on at that speed, and so does all that links join to it: a taut rope that begins 0.1 mm within a
+// mesh is thrown off (tests/core/contacts/test_capstan.cpp). But no slower: what a substep leaves
+// too near under load must be mended in the next. By what is left over 10 ms a stack sinks 2.6 % of
+// its size, not 0.3 %, and knots are pulled through themselves.
 template <class Real>
 double ContactSet<Real>::gapOf(const Pairing& pair, const Nearest& now) const {
     return std::min(wholeGapOf(pair, now), length(now.apart) + options_.recovery * h_);
