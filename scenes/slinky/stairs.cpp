@@ -17,6 +17,7 @@ namespace plait {
 namespace {
 
 constexpr double seconds = 4.5, arcSeconds = 0.5, arcHeight = 0.12;
+constexpr int floorTreads = 6;   // how long it goes on level below
 constexpr double onWire = 0.15;  // friction
 constexpr double depth = 0.24;   // m, of a tread, across the way
 
@@ -43,7 +44,7 @@ Shape shapeOf(const Stairs& stairs, int lead) {
         walk((k + 1) * stairs.tread, -k * stairs.rise);
         walk((k + 1) * stairs.tread, -(k + 1) * stairs.rise);
     }
-    walk((stairs.steps + 3) * stairs.tread, -stairs.steps * stairs.rise);
+    walk((stairs.steps + floorTreads) * stairs.tread, -stairs.steps * stairs.rise);
     const int columns = static_cast<int>(profile.size());
     Shape shape = grid({.columns = columns, .rows = across + 1});
     for (int row = 0; row <= across; ++row)
@@ -58,7 +59,7 @@ void addStairs(View& view, const Stairs& stairs) {
     constexpr double thick = 0.02;
     for (int k = -1; k <= stairs.steps; ++k) {
         const double y = -std::max(k, 0) * stairs.rise, left = (k < 0 ? -2 : k) * stairs.tread,
-                     right = (k < stairs.steps ? k + 1 : stairs.steps + 3) * stairs.tread;
+                     right = (k < stairs.steps ? k + 1 : stairs.steps + floorTreads) * stairs.tread;
         view.props.push_back({block({.width = right - left, .height = thick, .depth = depth},
                                     {.origin = {left, y - thick, -depth / 2}}),
                               Material::matte,
@@ -139,8 +140,9 @@ Scene slinky(const Knobs& knobs) {
     View& view = scene.view;
     view.looks = {lookOf(slinky, rod)};
     addStairs(view, stairs);
-    // Beside where the slinky is by then, as those steps go.
-    const auto camera = [&](double time, double way) {
+    // Beside where the slinky is by then, as those steps go, and below no longer down.
+    const auto camera = [&](double time, double steps) {
+        const double way = std::min(steps, stairs.steps + 0.2);
         const Vec<double> at{(0.5 + way) * stairs.tread, -way * stairs.rise, 0};
         return Camera{.time = time,
                       .eye = at + Vec<double>{0.55, 0.42, 1.6},
