@@ -142,7 +142,8 @@ Course twist(const Twisting& how) {
     constexpr double seconds = 4;
     World world;
     const Rod rod =
-        addRod(world, line(how.links), {.wire = rubber, .toward = {{0, 1, 0}}}, {.name = "rod"});
+        addRod(world, line(how.links), {.wire = rubber, .toward = {{0, 1, 0}}, .strain = 0.002},
+               {.name = "rod"});
     const double whole = world.rest[rod.points.last - 1].x;
     // What is quite straight would be pressed.
     for (int v = rod.points.first; v < rod.points.last; ++v)
@@ -212,8 +213,9 @@ Shape overhand(double size, double ends) {
 Course tie(double left, int substeps) {
     constexpr double seconds = 4;
     World world;
-    const Rod rod = addRod(world, overhand(2.5 * diameter, 0.3),
-                           {.wire = rubber, .natural = {{0, 0, 0}}}, {.name = "rod"});
+    const Rod rod =
+        addRod(world, overhand(2.5 * diameter, 0.3),
+               {.wire = rubber, .natural = {{0, 0, 0}}, .strain = 0.002}, {.name = "rod"});
     const int first = rod.points.first, last = rod.points.last - 1;
     const Vec<double> chord = world.start[last] - world.start[first];
     const Vec<double> along = (1 / length(chord)) * chord;
