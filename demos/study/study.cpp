@@ -21,12 +21,17 @@ Run studyRun(const Study& study, const Settings& settings) {
     return makeRun(all);
 }
 
-const Settings& studySettings(const Study& study, const Settings& settings) {
+Settings studySettings(const Study& study, const Settings& settings) {
     static std::mutex one;
     static std::map<std::string, Settings> kept;
     const std::lock_guard lock(one);
-    Settings& all = kept[textOf(study.model) + "\n" + textOf(settings)];
-    if (all.empty()) all = settingsOf(studyRun(study, settings));
+    const std::string key = textOf(study.model) + "\n" + textOf(settings);
+    if (const auto found = kept.find(key); found != kept.end()) return found->second;
+    const Run run = studyRun(study, settings);
+    Settings all = settingsOf(run);
+    const bool ofFiles = std::ranges::any_of(
+        run.contents, [](const auto& content) { return !content.second.empty(); });
+    if (!ofFiles) kept[key] = all;
     return all;
 }
 

@@ -93,8 +93,9 @@ const Study& studyNamed(const std::string& name);
 
 // The run of a study with these settings on top of its model.
 Run studyRun(const Study& study, const Settings& settings);
-// All settings of that run: found once, since a scene may take a second to be built.
-const Settings& studySettings(const Study& study, const Settings& settings);
+// All settings of that run: found once, since a scene may take a second to be built, but of one
+// that reads files each time.
+Settings studySettings(const Study& study, const Settings& settings);
 
 // Position (rms over the frames of the reference, and at the last of them), energy where it is
 // conserved, and violation of hard constraints: what most studies measure.
