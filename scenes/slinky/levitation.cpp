@@ -13,7 +13,7 @@
 namespace plait {
 namespace {
 
-constexpr double letGoAt = 0.25, seconds = 0.75;
+constexpr double letGoAt = 0.25, seconds = 0.68;
 
 // Mean height of the vertices of the rod by mass, m.
 double middleOf(const std::vector<double>& mass, const Rod& rod,
@@ -136,7 +136,7 @@ Scene levitation(const Knobs& knobs) {
     addBar(view, {-0.045, 0.012, 0}, {0.045, 0.012, 0}, 0.008, Material::steel);
     const std::string which = "Which end falls first?";
     view.takes = {{.from = 0, .to = letGoAt, .slow = 10, .words = which},
-                  {.from = letGoAt, .to = letGoAt + 0.5},
+                  {.from = letGoAt, .to = seconds},
                   {.from = letGoAt - 0.05,
                    .to = letGoAt + 0.36,
                    .slow = 10,
