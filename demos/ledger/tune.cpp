@@ -120,8 +120,8 @@ private:
             std::size_t best = all.size();
             for (std::size_t i = 0; i < all.size(); ++i) {
                 const auto [worst, metric] = worstOf(tried[i]);
-                tuning_.steps.push_back({all[i].name(), tried[i].ending, workOf(tried[i]), worst,
-                                         metrics_.empty() ? "" : metrics_[metric].name});
+                tuning_.steps.push_back({how + all[i].name(), tried[i].ending, workOf(tried[i]),
+                                         worst, metrics_.empty() ? "" : metrics_[metric].name});
                 if (worst > 1)
                     refused.insert(all[i].name());
                 else if (isLess(tried[i], best < all.size() ? tried[best] : tuning_.chosen))

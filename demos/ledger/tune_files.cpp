@@ -43,17 +43,19 @@ std::string csvOf(const Tuning& tuning) {
 }
 
 std::string wordsOf(const Tuning& tuning) {
-    const double saved = 1 - static_cast<double>(tuning.chosen.evaluations()) /
-                                 static_cast<double>(tuning.own.evaluations());
+    const auto change = [](double saved) {
+        return (saved < 0 ? "adds " : "saves ") + figure(100 * std::fabs(saved), "%.0f") + " %";
+    };
+    const double work = 1 - static_cast<double>(tuning.chosen.evaluations()) /
+                                static_cast<double>(tuning.own.evaluations());
     std::string words = "Converged: " + std::to_string(tuning.refined) +
                         " times the substeps, and half as many are no more than " +
                         text(100 * tuning.tolerance) + " % from it. The scene's own settings are " +
                         figure(tuning.ownWorst, "%.2g") + " tolerances from it.\n";
     if (tuning.settings.empty()) return words + "They are the cheapest.\n";
-    return words + "Chosen: " + tuning.settings + ". That " + (saved < 0 ? "adds " : "saves ") +
-           figure(100 * std::fabs(saved), "%.0f") + " % of the counted work, and " +
-           figure(100 * (1 - tuning.chosen.seconds / tuning.own.seconds), "%.0f") +
-           " % of the time.\n";
+    return words + "Chosen: " + tuning.settings + ". That " + change(work) +
+           " of the counted work and " + change(1 - tuning.chosen.seconds / tuning.own.seconds) +
+           " of the time.\n";
 }
 
 // Every run by what it costs and how far it is: what is chosen lies furthest left below the line.
