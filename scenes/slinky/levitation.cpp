@@ -13,7 +13,7 @@
 namespace plait {
 namespace {
 
-constexpr double letGoAt = 0.25, seconds = 0.68;
+constexpr double letGoAt = 0.25, seconds = 0.6;
 
 // Mean height of the vertices of the rod by mass, m.
 double middleOf(const std::vector<double>& mass, const Rod& rod,
@@ -138,7 +138,7 @@ Scene levitation(const Knobs& knobs) {
     view.takes = {{.from = 0, .to = letGoAt, .slow = 10, .words = which},
                   {.from = letGoAt, .to = seconds},
                   {.from = letGoAt - 0.05,
-                   .to = letGoAt + 0.36,
+                   .to = seconds,
                    .slow = 10,
                    .words = "10 times slower",
                    .cameras = {camera(-1.3, 1.2)}}};
