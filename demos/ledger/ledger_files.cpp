@@ -7,17 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace plait {
 namespace {
-
-std::string rounded(const char* format, double value) {
-    if (std::isinf(value)) return "beyond all";
-    char word[32];
-    std::snprintf(word, sizeof word, format, value);
-    return word;
-}
 
 std::vector<std::string> lineOf(const Ledger& ledger, const LedgerRow& row) {
     const bool moved = !row.changes.empty() && row.changes[row.mostMoved()] > 0;

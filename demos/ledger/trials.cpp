@@ -98,4 +98,11 @@ double MetricTolerance::changeOf(const Figures& figures) const {
     return change;
 }
 
+std::string rounded(const char* format, double value) {
+    if (std::isinf(value)) return "beyond all";
+    char word[32];
+    std::snprintf(word, sizeof word, format, value);
+    return word;
+}
+
 }  // namespace plait

@@ -53,4 +53,7 @@ struct MetricTolerance {
 MetricTolerance toleranceOf(const Metric& metric, std::size_t column, const Trial& base,
                             const std::vector<Trial>& twins, double tolerance);
 
+// As printf() does; "beyond all" for what is infinite.
+std::string rounded(const char* format, double value);
+
 }  // namespace plait

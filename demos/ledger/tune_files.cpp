@@ -6,18 +6,11 @@
 #include "tune.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace plait {
 namespace {
-
-std::string figure(double value, const char* format) {
-    if (std::isinf(value)) return "beyond all";
-    char word[32];
-    std::snprintf(word, sizeof word, format, value);
-    return word;
-}
 
 std::string endingOf(const TuneStep& step) {
     return step.ending == "complete" ? step.metric : "ends early";
@@ -26,8 +19,8 @@ std::string endingOf(const TuneStep& step) {
 Table tableOf(const Tuning& tuning) {
     Table table{{"change", "work %", "moves most", "in tolerances", ""}};
     for (const TuneStep& step : tuning.steps)
-        table.push_back({step.change, figure(100 * step.work, "%.1f"), endingOf(step),
-                         figure(step.worst, "%.2g"),
+        table.push_back({step.change, rounded("%.1f", 100 * step.work), endingOf(step),
+                         rounded("%.2g", step.worst),
                          step.taken        ? "taken"
                          : step.worst <= 1 ? "could be"
                                            : "too far"});
@@ -44,14 +37,14 @@ std::string csvOf(const Tuning& tuning) {
 
 std::string wordsOf(const Tuning& tuning) {
     const auto change = [](double saved) {
-        return (saved < 0 ? "adds " : "saves ") + figure(100 * std::fabs(saved), "%.0f") + " %";
+        return (saved < 0 ? "adds " : "saves ") + rounded("%.0f", 100 * std::fabs(saved)) + " %";
     };
     const double work = 1 - static_cast<double>(tuning.chosen.evaluations()) /
                                 static_cast<double>(tuning.own.evaluations());
     std::string words = "Converged: " + std::to_string(tuning.refined) +
                         " times the substeps, and half as many are no more than " +
                         text(100 * tuning.tolerance) + " % from it. The scene's own settings are " +
-                        figure(tuning.ownWorst, "%.2g") + " tolerances from it.\n";
+                        rounded("%.2g", tuning.ownWorst) + " tolerances from it.\n";
     if (tuning.settings.empty()) return words + "They are the cheapest.\n";
     return words + "Chosen: " + tuning.settings + ". That " + change(work) +
            " of the counted work and " + change(1 - tuning.chosen.seconds / tuning.own.seconds) +

@@ -4,8 +4,8 @@
 #include "slinky.h"
 
 #include <array>
-#include <optional>
 #include <span>
+#include <vector>
 
 namespace plait {
 
