@@ -156,8 +156,15 @@ struct Pictures::Work {
     }
     void abandon() {
         stopped = true;
+        opened();
         frames.close(true);
         pictures.close(true);
+    }
+    // Mesa is to have its threads before the encoder takes some: it waits for ever for those that
+    // do not start, and looks whether they would only before it starts them.
+    void opened() {
+        open = true;
+        open.notify_all();
     }
     // A picture of 8K takes ten seconds, and none of those that draw it asks for interrupts.
     void endSoon() const {
@@ -197,7 +204,7 @@ struct Pictures::Work {
     Pipe<RunFrame> frames{queueLength};
     Pipe<Drawn> pictures{queueLength};
     std::atomic<int> done{0}, atWork{2};
-    std::atomic<bool> stopped{false}, ended{false};
+    std::atomic<bool> open{false}, stopped{false}, ended{false};
     std::mutex mutex;  // of what follows
     std::exception_ptr error;
     std::string library, renderer;
@@ -211,6 +218,7 @@ void Pictures::Work::draw() {
                               .height = options.height,
                               .samples = 4,
                               .gl = glChoice(options.gl)});
+    opened();
     note(opening, start);
     {
         const std::lock_guard lock(mutex);
@@ -270,6 +278,8 @@ Picture Pictures::Work::finished(const Drawn& drawn) const {
 }
 
 void Pictures::Work::encode() {
+    open.wait(false);
+    if (stopped) return;
     const auto writer = [&](const char* name) {
         return std::make_unique<VideoWriter>(folder.path() / name, options.width, options.height,
                                              film.rate());
