@@ -113,8 +113,10 @@ Scene levitation(const Knobs& knobs) {
     scene.seconds = seconds;
     scene.metrics = {
         clockOf(world, slinky, rod, {0, 1.03 * slinky.collapse()}),
-        lastTurnMoves(world, slinky, rod, {0, 0.5}), besideMark(world, rod, mark.first, {0, 1}),
+        lastTurnMoves(world, slinky, rod, {0, 0.5}),
+        besideMark(world, rod, mark.first, {0, 1}),
         greatestStrain(world, rod.points, {0, std::numeric_limits<double>::infinity()}),
+        ridingOff(slinky, rod),
         contactFailures()};
     scene.facts = factsOf(slinky);
 

@@ -166,6 +166,30 @@ void hang(World& world, const Slinky& slinky, const Rod& rod) {
     world.start = solver.positions();
 }
 
+double turnsBeside(const Slinky& slinky, const Rod& rod, std::span<const Vec<double>> positions) {
+    const auto middle = [&](int e) {
+        return 0.5 * (positions[rod.points.first + e] + positions[rod.points.first + e + 1]);
+    };
+    const int edges = rod.directors.last - rod.directors.first;
+    int beside = 0;
+    for (int e = 0; e + slinky.links < edges; ++e) {
+        const Vec<double> way = middle(e + slinky.links) - middle(e),
+                          out = positions[rod.directors.first + e] - middle(e),
+                          on = cross(out, positions[rod.points.first + e + 1] -
+                                              positions[rod.points.first + e]);
+        beside += dot(way, on) < 0.5 * slinky.wire.across * length(on) &&
+                  std::fabs(dot(way, out)) > 0.5 * slinky.wire.along * length(out);
+    }
+    return double(beside) / slinky.links;
+}
+
+Metric ridingOff(const Slinky& slinky, const Rod& rod) {
+    return {.name = "turns beside turns",
+            .unit = "",
+            .measure = [=](const Snapshot& at) { return turnsBeside(slinky, rod, at.positions); },
+            .low = 0};
+}
+
 Look lookOf(const Slinky& slinky, const Rod& rod) {
     return {.object = rod.points,
             .material = Material::brushed,

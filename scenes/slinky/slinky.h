@@ -7,6 +7,7 @@
 #include <plait/rods/rod.h>
 #include <plait/world.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,11 @@ std::vector<int> upperTurns(const Slinky& slinky, const Rod& rod, int turns);
 // Starts it as it hangs by what is pinned of its upper end. It takes 1.7 s, so that whatever is let
 // go in that time must be told of later.
 void hang(World& world, const Slinky& slinky, const Rod& rod);
+
+// How many turns have the next one beside them, by more than half the wire's width, in place of on
+// them, by parts of a turn. So stands a coil that does not close any more.
+double turnsBeside(const Slinky& slinky, const Rod& rod, std::span<const Vec<double>> positions);
+Metric ridingOff(const Slinky& slinky, const Rod& rod);
 
 Scene levitation(const Knobs& knobs);
 Scene slinky(const Knobs& knobs);

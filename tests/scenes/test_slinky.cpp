@@ -26,6 +26,28 @@ TEST_CASE("slinky: its wire alone says what it weighs and how it swings", "[rods
                  std::fabs(slinky.collapse() / slinky.period() * 4 * std::sqrt(3.0) - 1), 1e-12));
 }
 
+TEST_CASE("slinky: turns that ride off each other are counted", "[rods][FX4]") {
+    const Slinky slinky;
+    World world;
+    const Rod rod = addSlinky(world, slinky, {0, 0, 0});
+    CHECK(turnsBeside(slinky, rod, world.start) == 0);
+    // All from the middle up, by what it takes to lie beside the turn below, and no less.
+    const auto shifted = [&](double across, double down) {
+        std::vector<Vec<double>> x = world.start;
+        const int half = slinky.turns / 2 * slinky.links;
+        const auto shift = [&](int v) { x[v] += {across, -down * slinky.wire.across, 0}; };
+        for (int v = rod.points.first + half; v < rod.points.last; ++v) shift(v);
+        for (int v = rod.directors.first + half; v < rod.directors.last; ++v) shift(v);
+        return turnsBeside(slinky, rod, x);
+    };
+    CHECK(shifted(0.003, 0) == 0);
+    CHECK(shifted(0, 1) == 0);
+    // More than half of the wire's width across it: where the cosine is above 1.25 / 3.
+    const double part = shifted(0.003, 1);
+    CHECK(report("part of a turn beside the next off 1 - 2 asin(1.25 / 3) / pi",
+                 std::fabs(part - 0.7264), 2.0 / slinky.links));
+}
+
 TEST_CASE("slinky: hung, let go, its last turn hangs in the air", "[rods][figures][FX4]") {
     const Scene scene = build(findScene("levitation"));
     const Slinky slinky;
