@@ -45,17 +45,19 @@ void say(const Question& question, const std::string& text) {
 
 int ablate(const Arguments& given) {
     const Question asked = questionOf(given, "out/ledger/", "5%");
+    const std::filesystem::path stored = "golden/ledger/" + asked.run.entry->name + ".csv";
+    if (given.has("bless") && !std::filesystem::is_directory(stored.parent_path()))
+        throw FileError("golden/ledger: no such folder here; bless from the root of the sources");
     const FolderLock lock(asked.folder);
-    if (given.has("force")) std::filesystem::remove_all(asked.folder / "trials");
     const Ledger ledger = ledgerOf(asked.run, asked.options, asked.folder);
     say(asked, writeLedger(ledger, asked.folder, given.line));
+    if (given.has("bless")) writeWhole(stored, csvOf(ledger));
     return ledger.complaints().empty() ? exitOk : exitFailed;
 }
 
 int tuneScene(const Arguments& given) {
     const Question asked = questionOf(given, "out/tune/", "1%");
     const FolderLock lock(asked.folder);
-    if (given.has("force")) std::filesystem::remove_all(asked.folder / "trials");
     say(asked, writeTuning(tune(asked.run, asked.options, asked.folder), asked.folder, given.line));
     return exitOk;
 }
@@ -65,8 +67,6 @@ std::vector<Option> optionsOf(const std::string& tolerance, const std::string& w
     options.push_back(
         {"tolerance", tolerance, "of a metric's band, that it may move; " + tolerance});
     options.push_back({"jobs", "N", "runs at a time; 1"});
-    options.push_back(
-        {"force", "", "does again what is finished, as after a change of the program"});
     options.push_back({"out", "DIR", "where it is kept: " + where});
     options.push_back(quietOption());
     return options;
@@ -75,10 +75,12 @@ std::vector<Option> optionsOf(const std::string& tolerance, const std::string& w
 }  // namespace
 
 Command ablateCommand() {
+    std::vector<Option> options = optionsOf("5%", "out/ledger/SCENE");
+    options.push_back({"bless", "", "stores the ledger in golden/ledger"});
     return {.name = "ablate",
             .operands = {"SCENE"},
             .meaning = "leaves out each ingredient of a scene, and says which it needs",
-            .options = optionsOf("5%", "out/ledger/SCENE"),
+            .options = options,
             .examples = {"ablate flag -q draft", "ablate pendulum --tolerance 1% --jobs 2"},
             .run = ablate};
 }

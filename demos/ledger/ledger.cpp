@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <limits>
 #include <set>
 #include <utility>
@@ -15,33 +14,25 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double freeOfCharge = 0.02;  // of the work
 
-LedgerRow rowOf(const Ledger& ledger, const std::vector<Metric>& metrics, const std::string& part,
+LedgerRow rowOf(const Ledger& ledger, const Trial& base, const std::string& part,
                 const std::string& change, const Trial& trial) {
     LedgerRow row{.part = part, .change = change, .ending = trial.ending};
-    const double work = static_cast<double>(ledger.base.evaluations());
-    row.work = work > 0 ? 1 - static_cast<double>(trial.evaluations()) / work : 0;
-    row.time = 1 - trial.seconds / ledger.base.seconds;
-    for (std::size_t m = 0; m < metrics.size(); ++m)
-        row.changes.push_back(
-            trial.whole() ? ledger.tolerances[m].changeOf(figuresOf(metrics[m], m, trial.rows))
-                          : infinite);
+    if (ledger.work > 0)
+        row.work = 1 - static_cast<double>(trial.evaluations()) / static_cast<double>(ledger.work);
+    row.time = 1 - trial.seconds / base.seconds;
+    for (std::size_t m = 0; m < ledger.metrics.size(); ++m)
+        row.changes.push_back(trial.whole() ? ledger.tolerances[m].changeOf(
+                                                  figuresOf(ledger.metrics[m], m, trial.rows))
+                                            : infinite);
     return row;
-}
-
-Need needOf(const LedgerRow& row, const std::vector<std::string>& essentials) {
-    if (std::ranges::any_of(row.changes, [](double change) { return change > 1; }))
-        return Need::needed;
-    if (std::ranges::count(essentials, row.part) + std::ranges::count(essentials, row.name()) > 0)
-        return Need::essential;
-    return row.work > freeOfCharge ? Need::needless : Need::spare;
 }
 
 bool canGo(const LedgerRow& row) { return row.need == Need::needless || row.need == Need::spare; }
 
 // Left out one after the other, what saves most first, as long as all metrics stay; of what changes
 // the same part, one.
-LedgerRow leaveOutTogether(const Ledger& ledger, const Run& run, const std::vector<Ingredient>& all,
-                           const Trials& trials) {
+LedgerRow leaveOutTogether(const Ledger& ledger, const Trial& base, const Run& run,
+                           const std::vector<Ingredient>& all, const Trials& trials) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < all.size(); ++i)
         if (canGo(ledger.rows[i]) && ledger.rows[i].work >= 0) order.push_back(i);
@@ -63,8 +54,8 @@ LedgerRow leaveOutTogether(const Ledger& ledger, const Run& run, const std::vect
             words += (words.empty() ? "" : "; ") + all[k].name();
         }
         const Trial trial =
-            trials.of({words}, [&](int) { return without(run, leave); }, limitOf(ledger.base))[0];
-        const LedgerRow row = rowOf(ledger, run.scene.metrics, "together", words, trial);
+            trials.of({words}, [&](int) { return without(run, leave); }, limitOf(base))[0];
+        const LedgerRow row = rowOf(ledger, base, "together", words, trial);
         if (needOf(row, {}) == Need::needed || row.work < best.work) continue;
         best = row, taken = more;
         parts.insert(all[i].part);
@@ -73,6 +64,14 @@ LedgerRow leaveOutTogether(const Ledger& ledger, const Run& run, const std::vect
 }
 
 }  // namespace
+
+Need needOf(const LedgerRow& row, const std::vector<std::string>& essentials) {
+    if (std::ranges::any_of(row.changes, [](double change) { return change > 1; }))
+        return Need::needed;
+    if (std::ranges::count(essentials, row.part) + std::ranges::count(essentials, row.name()) > 0)
+        return Need::essential;
+    return row.work > freeOfCharge ? Need::needless : Need::spare;
+}
 
 const std::string& wordOf(Need need) {
     static const std::array<std::string, 4> words{"needed", "essential", "spare", "needless"};
@@ -87,50 +86,52 @@ std::size_t LedgerRow::mostMoved() const {
 std::vector<std::string> Ledger::idleMetrics() const {
     std::vector<std::string> idle;
     for (std::size_t m = 0; m < metrics.size(); ++m)
-        if (std::ranges::none_of(rows, [&](const LedgerRow& row) { return row.changes[m] > 1; }))
-            idle.push_back(metrics[m]);
+        if (metrics[m].low != metrics[m].high &&
+            std::ranges::none_of(rows, [&](const LedgerRow& row) { return row.changes[m] > 1; }))
+            idle.push_back(metrics[m].name);
     return idle;
 }
 
 std::vector<std::string> Ledger::complaints() const {
     std::vector<std::string> lines;
-    char line[256];
-    for (const LedgerRow& row : rows) {
-        if (row.need != Need::needless) continue;
-        std::snprintf(line, sizeof line, "%s: %s, %s: saves %.1f %% of the work, and nothing moves",
-                      scene.c_str(), row.part.c_str(), row.change.c_str(), 100 * row.work);
-        lines.emplace_back(line);
-    }
+    for (const LedgerRow& row : rows)
+        if (row.need == Need::needless)
+            lines.push_back(scene() + ": " + row.part + ", " + row.change + ": saves " +
+                            rounded("%.1f", 100 * row.work) + " % of the work, and nothing moves");
     for (const std::string& metric : idleMetrics())
-        lines.push_back(scene + ": " + metric + ": moved by nothing that was left out");
+        lines.push_back(scene() + ": " + metric + ": moved by nothing that was left out");
+    for (std::size_t m = 0; m < metrics.size(); ++m)
+        if (const Figures& base = tolerances[m].base;
+            !(base.least >= metrics[m].low && base.most <= metrics[m].high))
+            lines.push_back(scene() + ": " + metrics[m].name + ": outside its band");
     return lines;
 }
 
 Ledger ledgerOf(const Run& run, const LedgerOptions& options, const std::filesystem::path& folder) {
     const std::vector<Ingredient> all = ingredientsOf(run);
     const Trials trials("ablate", run, options, folder);
-    const std::vector<Metric>& metrics = run.scene.metrics;
-    Ledger ledger{.scene = run.entry->name, .tolerance = options.tolerance};
-    for (const Metric& metric : metrics) ledger.metrics.push_back(metric.name);
+    Ledger ledger{
+        .settings = settingsOf(run), .tolerance = options.tolerance, .metrics = run.scene.metrics};
     const std::vector<Trial> twins =
         trials.of({"base", "nudged 1", "nudged 2"},
                   [&](int i) { return i == 0 ? run : nudged(run, static_cast<unsigned>(i)); },
                   {infinite, infinite});
-    ledger.base = twins[0];
-    if (!ledger.base.whole()) throw SceneError(ledger.scene + ": " + ledger.base.ending);
-    for (std::size_t m = 0; m < metrics.size(); ++m)
+    const Trial& base = twins[0];
+    if (!base.whole()) throw SceneError(ledger.scene() + ": " + base.ending);
+    ledger.work = base.evaluations();
+    for (std::size_t m = 0; m < ledger.metrics.size(); ++m)
         ledger.tolerances.push_back(
-            toleranceOf(metrics[m], m, ledger.base, twins, options.tolerance));
+            toleranceOf(ledger.metrics[m], m, base, twins, options.tolerance));
     std::vector<std::string> words;
     for (const Ingredient& ingredient : all) words.push_back(ingredient.name());
     const std::vector<Trial> tried = trials.of(
         words, [&](int i) { return without(run, {&all[static_cast<std::size_t>(i)], 1}); },
-        limitOf(ledger.base));
+        limitOf(base));
     for (std::size_t i = 0; i < all.size(); ++i) {
-        ledger.rows.push_back(rowOf(ledger, metrics, all[i].part, all[i].change, tried[i]));
+        ledger.rows.push_back(rowOf(ledger, base, all[i].part, all[i].change, tried[i]));
         ledger.rows.back().need = needOf(ledger.rows.back(), run.entry->essentials);
     }
-    ledger.together = leaveOutTogether(ledger, run, all, trials);
+    ledger.together = leaveOutTogether(ledger, base, run, all, trials);
     return ledger;
 }
 

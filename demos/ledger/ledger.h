@@ -30,27 +30,48 @@ struct LedgerRow {
 };
 
 struct Ledger {
-    std::string scene;
-    double tolerance;
-    Trial base = {};
-    std::vector<std::string> metrics = {};
+    Settings settings;  // of the whole scene
+    double tolerance = 0;
+    long work = 0;  // constraints that the whole scene evaluates
+    std::vector<Metric> metrics = {};
     std::vector<MetricTolerance> tolerances = {};
     std::vector<LedgerRow> rows = {};
     LedgerRow together = {};  // of all that can be left out at once: its change names them
 
-    // Metrics that no row moves: they tell nothing.
+    std::string scene() const { return valueOf(settings, "scene"); }
+    // Metrics that no row moves: they tell nothing. Not those whose band has no width, as that of
+    // crossings, [0, 0]: they are guards, there for what goes wrong, and where nothing moves them
+    // nothing is near to that.
     std::vector<std::string> idleMetrics() const;
-    // What a scene must not have, a line each: needless ingredients, idle metrics.
+    // What a scene must not have, a line each: needless ingredients, idle metrics, figures outside
+    // their bands.
     std::vector<std::string> complaints() const;
 };
 
-// Finished trials are kept in `folder`, and are not run again, even by another build of
-// the program. Throws Interrupted, and SceneError for a run that does not end well by itself.
+// Finished trials are kept in `folder`, and are not run again by the same build of the program.
+// Throws Interrupted, and SceneError for a run that does not end well by itself.
 Ledger ledgerOf(const Run& run, const LedgerOptions& options, const std::filesystem::path& folder);
+
+// By what its row says; `essentials` are those of the scene.
+Need needOf(const LedgerRow& row, const std::vector<std::string>& essentials);
 
 // Into `folder`: ledger.csv, chart.svg, chart.png and index.html. Returns what is printed.
 std::string writeLedger(const Ledger& ledger, const std::filesystem::path& folder,
                         const std::string& command);
+
+// A ledger as a file, all but `together`: "setting,value", "metric,low,high,from[s]" with what it
+// comes to and may change by, and "ingredient,change,work,time" with changes, verdict and ending;
+// an empty line between.
 std::string csvOf(const Ledger& ledger);
+// Throws FileError that begins with `name`.
+Ledger ledgerFrom(const std::string& csv, const std::string& name);
+// The run that a stored ledger is about, as its scene is now: its quality, its length. Throws as
+// makeRun() does.
+Run runOf(const Ledger& stored);
+// Where a stored ledger no longer is about that run, a line each: other settings, metrics, bands or
+// ingredients; and, with what the whole scene comes to now, metrics beyond their tolerance, or work
+// that differs by more than 2 %.
+std::vector<std::string> differences(const Ledger& stored, const Run& run);
+std::vector<std::string> differences(const Ledger& stored, const Trial& base);
 
 }  // namespace plait

@@ -14,7 +14,7 @@ namespace {
 std::vector<std::string> lineOf(const Ledger& ledger, const LedgerRow& row) {
     const bool moved = !row.changes.empty() && row.changes[row.mostMoved()] > 0;
     const std::string most = row.ending != "complete" ? "ends early"
-                             : moved                  ? ledger.metrics[row.mostMoved()]
+                             : moved                  ? ledger.metrics[row.mostMoved()].name
                                                       : "none";
     return {row.part,
             row.change,
@@ -38,9 +38,11 @@ Table metricTable(const Ledger& ledger) {
         const MetricTolerance& t = ledger.tolerances[m];
         const auto moves = std::ranges::count_if(
             ledger.rows, [&](const LedgerRow& row) { return row.changes[m] > 1; });
-        table.push_back({ledger.metrics[m], rounded("%.3g", t.base.mean),
-                         rounded("%.3g", t.base.least), rounded("%.3g", t.base.most),
-                         rounded("%.2g", t.allowed.mean), std::to_string(moves) + " ingredients"});
+        const bool guards = ledger.metrics[m].low == ledger.metrics[m].high;
+        table.push_back(
+            {ledger.metrics[m].name, rounded("%.3g", t.base.mean), rounded("%.3g", t.base.least),
+             rounded("%.3g", t.base.most), rounded("%.2g", t.allowed.mean),
+             moves == 0 && guards ? "none: a guard" : std::to_string(moves) + " ingredients"});
     }
     return table;
 }
@@ -66,16 +68,10 @@ Figure figureOf(const Ledger& ledger) {
     }
     chart.curves.push_back(
         {.name = "tolerance", .points = {{0, 1}, {right, 1}}, .style = theoryStyle});
-    return {.title = "What " + ledger.scene + " needs",
+    return {.title = "What " + ledger.scene() + " needs",
             .charts = {chart},
             .width = 1280,
             .height = 800};
-}
-
-// Of a table whose columns commas part.
-std::string cellOf(std::string words) {
-    std::replace(words.begin(), words.end(), ',', ';');
-    return words;
 }
 
 std::string summary(const Ledger& ledger) {
@@ -92,19 +88,6 @@ std::string summary(const Ledger& ledger) {
 
 }  // namespace
 
-std::string csvOf(const Ledger& ledger) {
-    std::string csv = "ingredient,change,work,time,";
-    for (const std::string& metric : ledger.metrics) csv += metric + ",";
-    csv += "verdict,ending\n";
-    for (const LedgerRow& row : ledger.rows) {
-        csv += cellOf(row.part) + "," + cellOf(row.change) + "," + text(row.work) + "," +
-               text(row.time) + ",";
-        for (const double change : row.changes) csv += text(change) + ",";
-        csv += wordOf(row.need) + "," + cellOf(row.ending) + "\n";
-    }
-    return csv;
-}
-
 std::string writeLedger(const Ledger& ledger, const std::filesystem::path& folder,
                         const std::string& command) {
     writeWhole(folder / "ledger.csv", csvOf(ledger));
@@ -117,11 +100,11 @@ std::string writeLedger(const Ledger& ledger, const std::filesystem::path& folde
         " % of the width of its band, and never less than twice what a nudge of 0.1 mm/s at the "
         "start changes.</p>";
     std::string words = summary(ledger);
-    std::string html = "<h1>" + escaped("What " + ledger.scene + " needs") + "</h1>" + what +
+    std::string html = "<h1>" + escaped("What " + ledger.scene() + " needs") + "</h1>" + what +
                        pictureLine("chart", "What each ingredient saves and what it moves") +
                        htmlOf(tableOf(ledger)) + "<h2>Metrics</h2>" + htmlOf(metricTable(ledger)) +
                        "<p>" + escaped(words) + "</p>" + commandLines(command);
-    writeWhole(folder / "index.html", webPage("What " + ledger.scene + " needs", html));
+    writeWhole(folder / "index.html", webPage("What " + ledger.scene() + " needs", html));
     return textOf(tableOf(ledger)) + "\n" + textOf(metricTable(ledger)) + "\n" + words;
 }
 

@@ -16,10 +16,23 @@
 namespace plait {
 namespace {
 
-constexpr double patience = 8;  // work and time of a trial, in that of the whole scene
+constexpr double patience = 4;  // work and time of a trial, in that of the whole scene
 
 constexpr std::array<double Figures::*, 3> allFigures{&Figures::mean, &Figures::least,
                                                       &Figures::most};
+
+std::string hexOf(const std::string& bytes) {
+    char word[32];
+    std::snprintf(word, sizeof word, "%016llx",
+                  static_cast<unsigned long long>(hashOf(bytes, hashSeed)));
+    return word;
+}
+
+// Of this very program: what another build finds may differ.
+const std::string& hashOfBuild() {
+    static const std::string hash = hexOf(readWhole("/proc/self/exe"));
+    return hash;
+}
 
 }  // namespace
 
@@ -46,19 +59,18 @@ std::vector<Trial> Trials::of(const std::vector<std::string>& words,
     return trials;
 }
 
+std::string Trials::nameOf(const std::string& word) const {
+    std::string name = textOf(settingsOf(run_)) + word;
+    std::replace(name.begin(), name.end(), '\n', ' ');
+    return name;
+}
+
 std::string Trials::keyOf(const std::string& word) const {
-    std::string key = textOf(settingsOf(run_)) + word;
-    std::replace(key.begin(), key.end(), '\n', ' ');
-    return key;
+    return nameOf(word) + " build=" + hashOfBuild();
 }
 
 std::filesystem::path Trials::fileOf(const std::string& word) const {
-    const std::string key = keyOf(word);
-    char name[32];
-    std::snprintf(name, sizeof name, "%016llx.csv",
-                  static_cast<unsigned long long>(
-                      hashOf(std::span<const char>(key.data(), key.size()), hashSeed)));
-    return folder_ / name;
+    return folder_ / (hexOf(nameOf(word)) + ".csv");
 }
 
 TrialLimit limitOf(const Trial& base) {

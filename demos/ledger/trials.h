@@ -22,13 +22,14 @@ public:
     Trials(std::string verb, const Run& run, const LedgerOptions& options,
            const std::filesystem::path& folder);
 
-    // As many as there are words; `make` gives the run of each. Words that were tried before, by
-    // whatever build of the program, are not run again. Throws Interrupted.
+    // As many as there are words; `make` gives the run of each. Words that this very build of
+    // the program has tried before are not run again. Throws Interrupted.
     std::vector<Trial> of(const std::vector<std::string>& words,
                           const std::function<Run(int)>& make, const TrialLimit& limit) const;
 
 private:
-    std::string keyOf(const std::string& word) const;
+    std::string nameOf(const std::string& word) const;  // of the trial
+    std::string keyOf(const std::string& word) const;   // and who ran it
     std::filesystem::path fileOf(const std::string& word) const;
 
     std::string verb_;

@@ -243,6 +243,7 @@ Scene pouring(const Knobs& knobs) {
     const int substeps = static_cast<int>(std::ceil(1 / (60 * h)));
     scene.options.schedule = {
         .substeps = substeps, .frameRate = {60, 1}, .iterations = 1, .collisionPasses = 1};
+    scene.options.sweeps = Sweeps::oneWay;
     scene.lead = settles;
     scene.seconds = 4;
     scene.metrics = metricsOf(table, liquid, 15);

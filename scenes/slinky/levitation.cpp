@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace plait {
 namespace {
@@ -78,6 +77,18 @@ Metric besideMark(const World& world, const Rod& rod, int mark, const Band& band
             .high = band.high};
 }
 
+// In widths of the wire: how far a turn is at most below where it would lie on the one beneath it.
+// Turns that nothing keeps apart fall through each other; those that are pushed aside slide past by
+// a few widths.
+Metric turnsSink(const Slinky& slinky, const Rod& rod) {
+    return {.name = "turns sink", .unit = "wires", .measure = [=](const Snapshot& at) {
+                double least = slinky.wire.across;
+                for (int i = rod.points.first; i + slinky.links < rod.points.last; ++i)
+                    least = std::min(least, at.positions[i + slinky.links].y - at.positions[i].y);
+                return 1 - least / slinky.wire.across;
+            }};
+}
+
 // Brass, a long line each 0.5 m and a short one each 0.1 m, from 0 down.
 void addRuler(View& view, double x, double length) {
     for (int i = 0; 0.1 * i < length + 0.05; ++i)
@@ -116,8 +127,9 @@ Scene levitation(const Knobs& knobs) {
                      lastTurnMoves(world, slinky, rod, {0, 0.5}),
                      besideMark(world, rod, mark.first, {0, 1}),
                      greatestStrain(world, rod.points, {0, 1}),
-                     ridingOff(slinky, rod),
-                     contactFailures()};
+                     ridingOff(slinky, rod, {0, 0}),
+                     contactFailures(),
+                     turnsSink(slinky, rod)};
     scene.facts = factsOf(slinky);
 
     View& view = scene.view;

@@ -183,11 +183,13 @@ double turnsBeside(const Slinky& slinky, const Rod& rod, std::span<const Vec<dou
     return double(beside) / slinky.links;
 }
 
-Metric ridingOff(const Slinky& slinky, const Rod& rod) {
+Metric ridingOff(const Slinky& slinky, const Rod& rod, const Band& band) {
     return {.name = "turns beside turns",
             .unit = "",
             .measure = [=](const Snapshot& at) { return turnsBeside(slinky, rod, at.positions); },
-            .low = 0};
+            .low = band.low,
+            .high = band.high,
+            .from = band.from};
 }
 
 Look lookOf(const Slinky& slinky, const Rod& rod) {

@@ -1,6 +1,7 @@
 // The toy of two demos: a flat wire of steel, wound turn on turn. The wire is all that is put in.
 #pragma once
 
+#include "../parts/measures.h"
 #include "../scene.h"
 
 #include <plait/contacts/surface.h>
@@ -51,7 +52,7 @@ void hang(World& world, const Slinky& slinky, const Rod& rod);
 // How many turns have the next one beside them, by more than half the wire's width, in place of on
 // them, by parts of a turn. So stands a coil that does not close any more.
 double turnsBeside(const Slinky& slinky, const Rod& rod, std::span<const Vec<double>> positions);
-Metric ridingOff(const Slinky& slinky, const Rod& rod);
+Metric ridingOff(const Slinky& slinky, const Rod& rod, const Band& band);
 
 Scene levitation(const Knobs& knobs);
 Scene slinky(const Knobs& knobs);

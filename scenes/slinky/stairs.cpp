@@ -134,7 +134,7 @@ Scene slinky(const Knobs& knobs) {
     scene.metrics = {
         wayOf(slinky, rod, stairs, false), wayOf(slinky, rod, stairs, true),
         greatestStrain(world, rod.points, {0, std::numeric_limits<double>::infinity()}),
-        ridingOff(slinky, rod), contactFailures()};
+        ridingOff(slinky, rod, {0, std::numeric_limits<double>::infinity()}), contactFailures()};
     scene.facts = factsOf(slinky);
 
     View& view = scene.view;
