@@ -22,6 +22,7 @@ struct Substep {
     double h;                   // s
     double frameFraction;       // part of the base step that is over at its end, 0 to 1
     Vec<double> fall{0, 0, 0};  // m: how far Force::fall() takes all that is not pinned in it
+    bool parts = true;          // contacts part what begins too near in it
 };
 
 template <class Real>

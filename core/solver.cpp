@@ -14,8 +14,9 @@ namespace plait {
 
 // One substep: S sections 5 and 6, XPBD (2016) algorithm 1, and V for the second order.
 template <class Real>
-void Solver<Real>::substep(double fraction) {
+void Solver<Real>::substep(double from, double fraction) {
     const bool second = options_.integrator == Integrator::bdf2 && state_.hasPast;
+    if (partsStart()) partStart(from);  // x1, x2 <- apart, where the run began too near
     implied_ = second ? 2 * h_ / 3 : h_;
     startVelocities(second);  // v <- v, or (4 v - v1) / 3
     if (whole_) whole_->begin(state_);
@@ -189,7 +190,7 @@ template <class Real>
 void Solver<Real>::beginSets(double fraction) {
     Vec<double> fall{0, 0, 0};
     for (const auto& force : forces_) fall += implied_ * implied_ * force->fall();
-    for (const auto& set : sets_) set->begin({h_, fraction, fall}, workers_);
+    for (const auto& set : sets_) set->begin({h_, fraction, fall, !partsStart()}, workers_);
 }
 
 template <class Real>
@@ -233,7 +234,8 @@ void Solver<Real>::advance() {
     for (int part = 0, done = 0; part < parts; ++part) {
         const int length = static_cast<int>(n * (part + 1L) / parts) - done;
         beginBaseStep(timeIn(0), timeIn(length));
-        for (int i = 1; i <= length; ++i) substep(static_cast<double>(i) / length);
+        for (int i = 1; i <= length; ++i)
+            substep(static_cast<double>(i - 1) / length, static_cast<double>(i) / length);
         done += length;
     }
 }

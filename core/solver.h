@@ -75,9 +75,14 @@ private:
     void setUpChebyshev();
     void takePast();
 
+    void setUpParting();
+
     void advance();
     void beginBaseStep(double t0, double t1);
-    void substep(double fraction);
+    void substep(double from, double fraction);
+    bool partsStart() const { return state_.substep < parting_; }
+    void partStart(double fraction);
+    void holdRates();
     void startVelocities(bool second);
     void applyForces();
     void predict(bool second);
@@ -140,7 +145,9 @@ private:
     std::vector<std::pair<ContactConstraint<Real>*, int>> contactSets_;  // those that are such
     SubstepPlan plan_;
     int column_ = 0;
-    double h_;        // s, substep
+    long parting_ = 0;  // substeps from the start of the run in which starts are parted
+    std::vector<Padded<Real>> shift_;  // m, by which; empty where nothing begins the run too near
+    double h_;                         // s, substep
     double implied_;  // s, the step that forces and compliance see: h, or 2 h / 3 under BDF2
     long evaluations_ = 0, failures_ = 0;
     bool blaming_ = false;  // the frame runs again to find out which set broke it

@@ -65,6 +65,7 @@ void Solver<Real>::setUp() {
     setUpDrawers();
     setUpChebyshev();
     takePast();
+    setUpParting();
 }
 
 // All that knows what is pinned is made anew. Which releases have come follows from the time, so

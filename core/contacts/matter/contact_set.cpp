@@ -2,6 +2,7 @@
 
 #include "../../numbers/convert.h"
 #include "../../world.h"
+#include "reals.h"
 
 #include <algorithm>
 
@@ -85,6 +86,7 @@ ContactSet<Real>::ContactSet(const World& world, const std::vector<Surface>& sur
 template <class Real>
 void ContactSet<Real>::begin(const Substep& substep, Workers&) {
     h_ = substep.h;
+    opens_ = substep.parts ? options_.recovery * h_ : 0;
     backRounds_ = 0;
     backPairs_ = 0;
     contacts_.clear();
@@ -145,14 +147,13 @@ double ContactSet<Real>::wholeGapOf(const Pairing& pair, const Nearest& now) con
     return gap;
 }
 
-// What begins too near parts no faster than `recovery`, however thick it is (CC15, CC17). It flies
-// on at that speed, and so does all that links join to it: a taut rope that begins 0.1 mm within a
-// mesh is thrown off (tests/core/contacts/test_capstan.cpp). But no slower: what a substep leaves
-// too near under load must be mended in the next. By what is left over 10 ms a stack sinks 2.6 % of
-// its size, not 0.3 %, and knots are pulled through themselves.
+// What begins too near parts no faster than `recovery`, however thick it is (CC15, CC17), and flies
+// on at that speed, but for what begins a run too near (solver_parting.cpp). No slower: what a
+// substep leaves too near under load must be mended in the next. By what is left over 10 ms a stack
+// sinks 2.6 % of its size, not 0.3 %, and knots are pulled through themselves.
 template <class Real>
 double ContactSet<Real>::gapOf(const Pairing& pair, const Nearest& now) const {
-    return std::min(wholeGapOf(pair, now), length(now.apart) + options_.recovery * h_);
+    return std::min(wholeGapOf(pair, now), length(now.apart) + opens_);
 }
 
 template <class Real>
@@ -188,6 +189,17 @@ void ContactSet<Real>::prepare(const Sweep<Real>& sweep, Workers& workers) {
     foreseen_ = static_cast<int>(contacts_.size());
     heading_ = end_;
     ready_ = true;
+}
+
+template <class Real>
+double ContactSet<Real>::partingTime(const Sweep<Real>& sweep, Workers& workers) {
+    prepare(sweep, workers);
+    double most = 0;
+    for (const Contact& c : contacts_) {
+        const Nearest now = nearest(c.pair, sections_.of(c.pair).to(startOf(c.pair)));
+        most = std::max(most, lackOf(length(now.apart), wholeGapOf(c.pair, now)));
+    }
+    return divide(most, options_.recovery);
 }
 
 template <class Real>

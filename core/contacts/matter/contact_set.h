@@ -43,6 +43,7 @@ public:
     long finish(const Sweep<Real>& sweep, Workers& workers) override;
     long holdBack(const Sweep<Real>& sweep, Workers& workers) override;
     void furnish(Drawer<Real>& kept) const override;
+    double partingTime(const Sweep<Real>& sweep, Workers& workers) override;
     bool needsPast() const override { return bouncy_; }
     void strike(const Sweep<Real>& sweep, const State<Real>& state, const Drawer<Real>& kept,
                 Workers& workers) override;
@@ -165,6 +166,7 @@ private:
     double slack_;                              // m, that contacts reach beyond their gap
     double widest_;                             // m, the largest thickness, as wide as it counts
     double h_ = 0;                              // s
+    double opens_ = 0;                          // m, that what begins too near may part
     bool ready_ = false;                        // contacts_ are those of this substep
     int foreseen_ = 0;                          // contacts as they were found; what crossed follows
     std::unique_ptr<Failures> failures_;        // null: nothing is ever left out

@@ -22,6 +22,12 @@ bool putBack(const Sweep<Real>& sweep, int vertex) {
     return true;
 }
 
+// What a gap lacks (m), but for rounding.
+inline double lackOf(double distance, double gap) {
+    const double lack = gap - distance;
+    return lack > 1e-6 * gap ? lack : 0;
+}
+
 inline double mean(double a, double b) { return 0.5 * (a + b); }
 
 }  // namespace plait

@@ -71,6 +71,7 @@ void ColliderSet<Real>::beginFrame(double t0, double t1) {
 template <class Real>
 void ColliderSet<Real>::begin(const Substep& substep, Workers&) {
     h_ = substep.h;
+    opens_ = substep.parts ? options_.recovery * h_ : 0;
     ready_ = false;
     moving_ = false;
     for (Body& body : bodies_) {
@@ -94,7 +95,19 @@ double ColliderSet<Real>::hold(const Member& member, const Body& body) const {
 // What begins inside, or too near, comes out no faster than `recovery` (CC15, CC17).
 template <class Real>
 double ColliderSet<Real>::gapOf(const Member& member, const Side& start) const {
-    return std::min(member.thickness, start.distance + options_.recovery * h_);
+    return std::min(member.thickness, start.distance + opens_);
+}
+
+template <class Real>
+double ColliderSet<Real>::partingTime(const Sweep<Real>& sweep, Workers&) {
+    double most = 0;
+    for (const Member& member : members_)
+        for (const Body& body : bodies_) {
+            const Real* const p = sweep.particles + 8 * member.vertex;
+            const Side at = sideOf(body.collider.solid, body.now.own(three(p) + three(p + 4)));
+            most = std::max(most, lackOf(at.distance, member.thickness));
+        }
+    return divide(most, options_.recovery);
 }
 
 // Where the vertex is nearest now, unless it has gone in, or through, on another side: then it

@@ -21,6 +21,7 @@ public:
     void beginFrame(double t0, double t1) override;
     void begin(const Substep& substep, Workers& workers) override;
     bool needsPast() const override { return bouncy_; }
+    double partingTime(const Sweep<Real>& sweep, Workers& workers) override;
     void strike(const Sweep<Real>& sweep, const State<Real>& state, const Drawer<Real>& kept,
                 Workers& workers) override;
     void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override;
@@ -91,6 +92,7 @@ private:
     std::vector<Vec<double>> kick_;   // by member, m/s: by which a bounce is faster than its step
     std::vector<std::uint8_t> bent_;  // by member
     double h_ = 0;                    // s
+    double opens_ = 0;                // m, that what begins too near may part
     bool ready_ = false;              // rows_ are those of this substep
     bool moving_ = false;             // a body moves in it
     // Times that a vertex was left inside, one that is round within a quarter of its thickness, or
