@@ -25,7 +25,8 @@ public:
     // True: it asks where things were a substep earlier (State::last).
     virtual bool needsPast() const { return false; }
 
-    // How long it takes to part what is too near where the vertices are (s); 0: nothing is.
+    // How long it takes to part what is too near where the vertices are (s); 0: nothing is;
+    // infinity: it is not to be parted.
     virtual double partingTime(const Sweep<Real>&, Workers&) { return 0; }
     // Before the columns, where everything has been predicted: impacts that bounce.
     virtual void strike(const Sweep<Real>&, const State<Real>&, const Drawer<Real>&, Workers&) {}

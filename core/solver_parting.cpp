@@ -29,6 +29,7 @@ void Solver<Real>::setUpParting() {
         set.begin({h_, 0}, workers_);
         longest = std::max(longest, set.partingTime(sweep, workers_));
     });
+    if (!std::isfinite(longest)) return;
     parting_ = static_cast<long>(std::ceil(std::min(patience * longest / h_, most)));
     if (parting_ > 0) shift_.resize(start.size());
 }
@@ -42,7 +43,6 @@ void Solver<Real>::partStart(double fraction) {
     implied_ = h_;
     for (int i = 0; i < state_.count(); ++i) state_.before[i].v = state_.particles[i].d;
     for (const auto& set : sets_) set->begin({h_, fraction}, workers_);
-    forContacts([&](auto& set, int s) { set.strike(sweepOf(s), state_, drawerOf(s), workers_); });
     for (int round = 0; round < rounds; ++round) {
         carrying([&] {
             for (const int s : contacts_) {

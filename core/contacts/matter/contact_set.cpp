@@ -191,8 +191,10 @@ void ContactSet<Real>::prepare(const Sweep<Real>& sweep, Workers& workers) {
     ready_ = true;
 }
 
+// What is pierced may be meant to stay so, or be drawn apart by others.
 template <class Real>
 double ContactSet<Real>::partingTime(const Sweep<Real>& sweep, Workers& workers) {
+    if (failures_) return infinity;
     prepare(sweep, workers);
     double most = 0;
     for (const Contact& c : contacts_) {

@@ -63,11 +63,25 @@ bool ColliderSet<Real>::mayTouch(const Sweep<Real>& sweep, int m) {
     return !(dot(way, way) < reach_[m].clear);
 }
 
+template <class Real>
+double ColliderSet<Real>::partingTime(const Sweep<Real>& sweep, Workers&) {
+    double most = 0;
+    for (const Member& member : members_)
+        for (const Body& body : bodies_) {
+            const Real* const p = sweep.particles + 8 * member.vertex;
+            const Side at = sideOf(body.collider.solid, body.now.own(three(p) + three(p + 4)));
+            most = std::max(most, lackOf(at.distance, member.thickness));
+        }
+    return divide(most, options_.recovery);
+}
+
 template void ColliderSet<float>::prepare(const Sweep<float>&, Workers&);
 template void ColliderSet<double>::prepare(const Sweep<double>&, Workers&);
 template void ColliderSet<float>::measure(const Sweep<float>&, int);
 template void ColliderSet<double>::measure(const Sweep<double>&, int);
 template bool ColliderSet<float>::mayTouch(const Sweep<float>&, int);
 template bool ColliderSet<double>::mayTouch(const Sweep<double>&, int);
+template double ColliderSet<float>::partingTime(const Sweep<float>&, Workers&);
+template double ColliderSet<double>::partingTime(const Sweep<double>&, Workers&);
 
 }  // namespace plait

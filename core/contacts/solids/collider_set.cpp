@@ -98,18 +98,6 @@ double ColliderSet<Real>::gapOf(const Member& member, const Side& start) const {
     return std::min(member.thickness, start.distance + opens_);
 }
 
-template <class Real>
-double ColliderSet<Real>::partingTime(const Sweep<Real>& sweep, Workers&) {
-    double most = 0;
-    for (const Member& member : members_)
-        for (const Body& body : bodies_) {
-            const Real* const p = sweep.particles + 8 * member.vertex;
-            const Side at = sideOf(body.collider.solid, body.now.own(three(p) + three(p + 4)));
-            most = std::max(most, lackOf(at.distance, member.thickness));
-        }
-    return divide(most, options_.recovery);
-}
-
 // Where the vertex is nearest now, unless it has gone in, or through, on another side: then it
 // stays in front of where it went in. What is convex is all behind either plane.
 template <class Real>

@@ -124,7 +124,8 @@ double errorOf(const Capstan& capstan) {
 
 std::string nameOf(const Capstan& capstan) {
     return "mu " + std::to_string(capstan.friction) + ", " + std::to_string(capstan.angle) +
-           " rad, " + std::to_string(capstan.substeps) + " substeps, off";
+           " rad, " + std::to_string(capstan.substeps) +
+           (capstan.tight ? " substeps, tight, off" : " substeps, off");
 }
 
 }  // namespace
