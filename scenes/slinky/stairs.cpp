@@ -21,7 +21,7 @@ constexpr int floorTreads = 6;   // how long it goes on level below
 constexpr double onWire = 0.15;  // friction
 // m/s: how fast turns part that fell too near each other. At 0.5 where they jam goes on trembling
 // at 1 m/s, at 0.05 steps take a second, as too much of what they fall with is lost.
-constexpr double turnsPart = 0.2;
+constexpr double turnsPart = 0.35;
 constexpr double depth = 0.24;  // m, of a tread, across the way
 
 struct Stairs {
