@@ -1,5 +1,6 @@
 #include "weld_forces.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plait {
@@ -147,9 +148,25 @@ void WeldForces::balance(const Cluster& cluster, std::vector<PieceForce>& loads)
     }
 }
 
+// Whether a load lasts as far as the springs of a cluster can tell. Beside their stiffness the
+// inertia of one that is free would be lost in rounding, and the matrix be singular, where two
+// touch so slowly that Hertz's time is years.
+bool WeldForces::lasts(const Cluster& cluster, double time) const {
+    if (time <= 0) return true;
+    if (cluster.pinned) return false;
+    constexpr double least = 1e-11;
+    double mass = 0, stiffest = 0;
+    for (const int p : cluster.pieces) mass += masses_[p].mass;
+    for (const int w : cluster.welds) {
+        const Weld& weld = (*welds_)[w];
+        stiffest = std::max(stiffest, stiffness_ * weld.length * weld.height / weld.span);
+    }
+    return mass < least * stiffest * time * time;
+}
+
 void WeldForces::add(const Cluster& cluster, std::span<const unsigned char> pinned,
                      std::vector<PieceForce> loads, double time, std::vector<WeldForce>& forces) {
-    const bool lasts = time <= 0, holdOne = lasts && !cluster.pinned;
+    const bool still = lasts(cluster, time), holdOne = still && !cluster.pinned;
     int size = 0;
     const std::vector<int> rows = rowsOf(cluster, pinned, masses_.size(), holdOne, size);
     if (size == 0) return;
@@ -161,7 +178,7 @@ void WeldForces::add(const Cluster& cluster, std::span<const unsigned char> pinn
         const auto& [f, t] = loads[i];
         u.segment<6>(row) << f.x, f.y, f.z, t.x, t.y, t.z;
     }
-    if (lasts) {
+    if (still) {
         u = factorsOf(cluster, rows, size).solve(u).eval();
     } else {
         u = Factors(matrixOf(cluster, rows, size, time)).solve(u).eval();

@@ -54,6 +54,7 @@ private:
         std::unique_ptr<Factors> factors;
     };
 
+    bool lasts(const Cluster& cluster, double time) const;
     Matrix matrixOf(const Cluster& cluster, std::span<const int> rows, int size, double time) const;
     const Factors& factorsOf(const Cluster& cluster, std::span<const int> rows, int size);
     void balance(const Cluster& cluster, std::vector<PieceForce>& loads) const;

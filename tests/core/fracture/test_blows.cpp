@@ -6,6 +6,7 @@
 #include <plait/measure/energy.h>
 #include <plait/measure/momentum.h>
 
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -83,6 +84,30 @@ double energyOf(const World& world, const Solver<double>& solver) {
 }
 
 }  // namespace
+
+// Two cubes of a centimetre, of which one is pulled: half of it goes through the weld, at once and
+// for ever. Where it lasts for years the inertia is lost beside the spring.
+TEST_CASE("blows: a load may take as long as it likes", "[welds]") {
+    constexpr double side = 0.01, mass = 2.5e-3, moment = mass * side * side / 6;
+    const std::vector<Weld> welds{{.first = 0,
+                                   .second = 1,
+                                   .at = {side / 2, 0, 0},
+                                   .normal = {1, 0, 0},
+                                   .along = {0, 1, 0},
+                                   .length = side,
+                                   .height = side,
+                                   .span = side}};
+    const Symmetric<double> inertia = Symmetric<double>::diagonal(moment);
+    WeldForces system(welds, 70e9, {{{}, mass, inertia}, {{side, 0, 0}, mass, inertia}});
+    const Cluster cluster{.pieces = {0, 1}, .welds = {0}};
+    const std::array<unsigned char, 2> pinned{0, 0};
+    for (double time = 1e-3; time < 1e13; time *= 10) {
+        std::vector<WeldForce> forces(1);
+        system.add(cluster, pinned, {{{1, 0, 0}, {}}, {}}, time, forces);
+        REQUIRE(report("half of what pulls for " + std::to_string(time) + " s, off",
+                       std::fabs(std::fabs(forces[0].force.x) - 0.5), 1e-4));
+    }
+}
 
 // Slow enough that first order loses no spin to speak of in the substep in which it bursts.
 TEST_CASE("blows: both momenta and energy stay when a free pane bursts by its spin",
