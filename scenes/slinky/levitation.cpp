@@ -102,6 +102,36 @@ void addRuler(View& view, double x, double length) {
     addBar(view, {x, 0.02, 0}, {x, -length - 0.02, 0}, 0.003, Material::brass);
 }
 
+// Beside a ruler: as fast as it is, then slowly, and nearer to its end as that begins to fall.
+void film(View& view, const Slinky& slinky, const Rod& rod, Range mark) {
+    view.looks = {lookOf(slinky, rod),
+                  {.object = mark,
+                   .material = Material::brass,
+                   .color = {0.584, 0.305, 0.050},
+                   .radius = 0.014}};
+    const auto camera = [](double time, double right, double middle, double height) {
+        const double away = height * 50 / 20.25;
+        return Camera{
+            .time = time, .eye = {right, middle + 0.06 * away, away}, .target = {right, middle, 0}};
+    };
+    const double lowest = -slinky.turns * slinky.wire.across - slinky.extension();
+    view.cameras = {camera(0, 0.12, -0.93, 2.15)};
+    view.ground = false;
+    view.glowCenter = {0, -0.6, -1};
+    view.glow = 0.12;
+    addRuler(view, -0.09, 1.7);
+    addBar(view, {-0.045, 0.012, 0}, {0.045, 0.012, 0}, 0.008, Material::steel);
+    const std::string which = "Which end falls first?";
+    view.takes = {{.from = 0, .to = letGoAt, .slow = 10, .words = which},
+                  {.from = letGoAt, .to = seconds},
+                  {.from = letGoAt - 0.05,
+                   .to = seconds,
+                   .slow = 10,
+                   .words = "10 times slower",
+                   .cameras = {camera(letGoAt, 0.12, -0.93, 2.15),
+                               camera(letGoAt + 0.8 * slinky.collapse(), 0.02, lowest, 0.5)}}};
+}
+
 }  // namespace
 
 Scene levitation(const Knobs& knobs) {
@@ -142,33 +172,7 @@ Scene levitation(const Knobs& knobs) {
                      pressed(slinky, rod, {0, 10})};
     scene.facts = factsOf(slinky);
 
-    View& view = scene.view;
-    view.looks = {lookOf(slinky, rod),
-                  {.object = mark,
-                   .material = Material::brass,
-                   .color = {0.584, 0.305, 0.050},
-                   .radius = 0.014}};
-    const auto camera = [](double time, double right, double middle, double height) {
-        const double away = height * 50 / 20.25;
-        return Camera{
-            .time = time, .eye = {right, middle + 0.06 * away, away}, .target = {right, middle, 0}};
-    };
-    const double lowest = -closed - slinky.extension();
-    view.cameras = {camera(0, 0.12, -0.93, 2.15)};
-    view.ground = false;
-    view.glowCenter = {0, -0.6, -1};
-    view.glow = 0.12;
-    addRuler(view, -0.09, 1.7);
-    addBar(view, {-0.045, 0.012, 0}, {0.045, 0.012, 0}, 0.008, Material::steel);
-    const std::string which = "Which end falls first?";
-    view.takes = {{.from = 0, .to = letGoAt, .slow = 10, .words = which},
-                  {.from = letGoAt, .to = seconds},
-                  {.from = letGoAt - 0.05,
-                   .to = seconds,
-                   .slow = 10,
-                   .words = "10 times slower",
-                   .cameras = {camera(letGoAt, 0.12, -0.93, 2.15),
-                               camera(letGoAt + 0.8 * slinky.collapse(), 0.02, lowest, 0.5)}}};
+    film(scene.view, slinky, rod, mark);
     return scene;
 }
 
