@@ -88,17 +88,17 @@ double energyOf(const World& world, const Solver<double>& solver) {
 // Two cubes of a centimetre, of which one is pulled: half of it goes through the weld, at once and
 // for ever. Where it lasts for years the inertia is lost beside the spring.
 TEST_CASE("blows: a load may take as long as it likes", "[welds]") {
-    constexpr double side = 0.01, mass = 2.5e-3, moment = mass * side * side / 6;
+    constexpr double edge = 0.01, mass = 2.5e-3, moment = mass * edge * edge / 6;
     const std::vector<Weld> welds{{.first = 0,
                                    .second = 1,
-                                   .at = {side / 2, 0, 0},
+                                   .at = {edge / 2, 0, 0},
                                    .normal = {1, 0, 0},
                                    .along = {0, 1, 0},
-                                   .length = side,
-                                   .height = side,
-                                   .span = side}};
+                                   .length = edge,
+                                   .height = edge,
+                                   .span = edge}};
     const Symmetric<double> inertia = Symmetric<double>::diagonal(moment);
-    WeldForces system(welds, 70e9, {{{}, mass, inertia}, {{side, 0, 0}, mass, inertia}});
+    WeldForces system(welds, 70e9, {{{}, mass, inertia}, {{edge, 0, 0}, mass, inertia}});
     const Cluster cluster{.pieces = {0, 1}, .welds = {0}};
     const std::array<unsigned char, 2> pinned{0, 0};
     for (double time = 1e-3; time < 1e13; time *= 10) {
