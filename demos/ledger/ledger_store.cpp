@@ -30,8 +30,6 @@ std::vector<std::string> cellsOf(const std::string& line) {
 }
 
 constexpr std::array<double Metric::*, 3> bandOfMetric{&Metric::low, &Metric::high, &Metric::from};
-constexpr std::array<double Figures::*, 3> storedFigures{&Figures::mean, &Figures::least,
-                                                         &Figures::most};
 
 // What is read goes from line to line, and knows where it is.
 class Reader {
@@ -86,8 +84,8 @@ void readMetrics(Reader& reader, Ledger& ledger) {
         metric.name = row[0];
         for (std::size_t i = 0; i < 3; ++i) {
             metric.*bandOfMetric[i] = reader.number(row[1 + i]);
-            tolerance.base.*storedFigures[i] = reader.number(row[4 + i]);
-            tolerance.allowed.*storedFigures[i] = reader.number(row[7 + i]);
+            tolerance.base.*allFigures[i] = reader.number(row[4 + i]);
+            tolerance.allowed.*allFigures[i] = reader.number(row[7 + i]);
         }
     }
 }
@@ -143,9 +141,8 @@ std::string csvOf(const Ledger& ledger) {
     for (std::size_t m = 0; m < ledger.metrics.size(); ++m) {
         csv += cellOf(ledger.metrics[m].name);
         for (const auto place : bandOfMetric) csv += "," + text(ledger.metrics[m].*place);
-        for (const auto place : storedFigures) csv += "," + text(ledger.tolerances[m].base.*place);
-        for (const auto place : storedFigures)
-            csv += "," + text(ledger.tolerances[m].allowed.*place);
+        for (const auto place : allFigures) csv += "," + text(ledger.tolerances[m].base.*place);
+        for (const auto place : allFigures) csv += "," + text(ledger.tolerances[m].allowed.*place);
         csv += "\n";
     }
     csv += "\ningredient,change,work saved,time saved,";

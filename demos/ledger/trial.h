@@ -4,6 +4,7 @@
 #include "demos/output/metric_table.h"
 #include "demos/runs/settings.h"
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -41,6 +42,8 @@ bool readTrial(const std::filesystem::path& file, const std::string& key,
 struct Figures {
     double mean, least, most;
 };
+inline constexpr std::array<double Figures::*, 3> allFigures{&Figures::mean, &Figures::least,
+                                                             &Figures::most};
 Figures figuresOf(const Metric& metric, std::size_t column, const std::vector<MetricRow>& rows);
 
 }  // namespace plait

@@ -18,9 +18,6 @@ namespace {
 
 constexpr double patience = 4;  // work and time of a trial, in that of the whole scene
 
-constexpr std::array<double Figures::*, 3> allFigures{&Figures::mean, &Figures::least,
-                                                      &Figures::most};
-
 std::string hexOf(const std::string& bytes) {
     char word[32];
     std::snprintf(word, sizeof word, "%016llx",

@@ -38,10 +38,6 @@ std::vector<KernelChoice> everyChoice() {
     return choices;
 }
 
-}  // namespace
-
-namespace {
-
 // Of all choices every `step`th, of each scene others.
 void holdToChoices(std::size_t step) {
     const std::vector<KernelChoice> choices = everyChoice();
