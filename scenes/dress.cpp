@@ -205,8 +205,11 @@ Scene dress(const Knobs& knobs) {
     scene.options.damping = 0.02;
     scene.lead = lead;
     scene.seconds = wearer.seconds;
-    scene.metrics = {greatestStrain(world, links, {0, 2}), commonStrain(world, tautLinks, {0, 1}),
-                     selfIntersections(world, skirt, {0, 0}), contactFailures(),
+    scene.metrics = {greatestStrain(world, links, {0, 2}),
+                     commonStrain(world, tautLinks, {0, 1}),
+                     selfIntersections(world, skirt, {0, 0}),
+                     contactFailures(),
+                     folds(world, skirt, {}),
                      insideOf(world, skirt, body, {0, 0})};
     if (scene.metrics.back().measure({world.start, world.velocity, 0, 0}) > 0)
         throw std::invalid_argument("body: it must stand in its first mesh, clear of the skirt");

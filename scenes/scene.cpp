@@ -118,9 +118,7 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
          .lesson = "Cloth that never passes through itself or the dancer, however she whirls",
          .ingredients = {"stretch", "shear", "bend", "contact", "friction", "gravity", "air"},
          .omissions = {"gusts: the air is that of a hall"},
-         // How it folds, which no metric sees, and what its lesson says.
-         .essentials = {"silk bias", "silk bend", "tulle bias", "tulle bend",
-                        "contacts: without edges with edges of its own"},
+         .essentials = {"contacts: without edges with edges of its own"},
          .demo = true,
          .knobs = {{.name = "body",
                     .meaning =

@@ -43,31 +43,44 @@ void say(const Question& question, const std::string& text) {
         std::printf("%s%s\n", text.c_str(), (question.folder / "index.html").c_str());
 }
 
+void checkBless(const Arguments& given, const std::string& folder) {
+    if (given.has("bless") && !std::filesystem::is_directory(folder))
+        throw FileError(folder + ": no such folder here; bless from the root of the sources");
+}
+
+void bless(const Arguments& given, const std::string& folder, const std::string& scene,
+           const std::string& csv) {
+    if (given.has("bless")) writeWhole(folder + "/" + scene + ".csv", csv);
+}
+
 int ablate(const Arguments& given) {
     const Question asked = questionOf(given, "out/ledger/", "5%");
-    const std::filesystem::path stored = "golden/ledger/" + asked.run.entry->name + ".csv";
-    if (given.has("bless") && !std::filesystem::is_directory(stored.parent_path()))
-        throw FileError("golden/ledger: no such folder here; bless from the root of the sources");
+    checkBless(given, "golden/ledger");
     const FolderLock lock(asked.folder);
     const Ledger ledger = ledgerOf(asked.run, asked.options, asked.folder);
     say(asked, writeLedger(ledger, asked.folder, given.line));
-    if (given.has("bless")) writeWhole(stored, csvOf(ledger));
+    bless(given, "golden/ledger", asked.run.entry->name, csvOf(ledger));
     return ledger.complaints().empty() ? exitOk : exitFailed;
 }
 
 int tuneScene(const Arguments& given) {
     const Question asked = questionOf(given, "out/tune/", "1%");
+    checkBless(given, "golden/tune");
     const FolderLock lock(asked.folder);
-    say(asked, writeTuning(tune(asked.run, asked.options, asked.folder), asked.folder, given.line));
+    const Tuning tuning = tune(asked.run, asked.options, asked.folder);
+    say(asked, writeTuning(tuning, asked.folder, given.line));
+    bless(given, "golden/tune", asked.run.entry->name, csvOf(tuning));
     return exitOk;
 }
 
-std::vector<Option> optionsOf(const std::string& tolerance, const std::string& where) {
+std::vector<Option> optionsOf(const std::string& tolerance, const std::string& where,
+                              const std::string& stored) {
     std::vector<Option> options = stateOptions();
     options.push_back(
         {"tolerance", tolerance, "of a metric's band, that it may move; " + tolerance});
     options.push_back({"jobs", "N", "runs at a time; 1"});
     options.push_back({"out", "DIR", "where it is kept: " + where});
+    options.push_back({"bless", "", "stores what came of it in " + stored});
     options.push_back(quietOption());
     return options;
 }
@@ -75,12 +88,10 @@ std::vector<Option> optionsOf(const std::string& tolerance, const std::string& w
 }  // namespace
 
 Command ablateCommand() {
-    std::vector<Option> options = optionsOf("5%", "out/ledger/SCENE");
-    options.push_back({"bless", "", "stores the ledger in golden/ledger"});
     return {.name = "ablate",
             .operands = {"SCENE"},
             .meaning = "leaves out each ingredient of a scene, and says which it needs",
-            .options = options,
+            .options = optionsOf("5%", "out/ledger/SCENE", "golden/ledger"),
             .examples = {"ablate flag -q draft", "ablate pendulum --tolerance 1% --jobs 2"},
             .run = ablate};
 }
@@ -89,7 +100,7 @@ Command tuneCommand() {
     return {.name = "tune",
             .operands = {"SCENE"},
             .meaning = "finds the cheapest settings that keep the metrics of a scene",
-            .options = optionsOf("1%", "out/tune/SCENE"),
+            .options = optionsOf("1%", "out/tune/SCENE", "golden/tune"),
             .examples = {"tune flag -q draft", "tune pendulum --tolerance 0.1% --jobs 2"},
             .run = tuneScene};
 }

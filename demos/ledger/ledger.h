@@ -65,9 +65,9 @@ std::string writeLedger(const Ledger& ledger, const std::filesystem::path& folde
 std::string csvOf(const Ledger& ledger);
 // Throws FileError that begins with `name`.
 Ledger ledgerFrom(const std::string& csv, const std::string& name);
-// The run that a stored ledger is about, as its scene is now: its quality, its length. Throws as
+// The run that stored settings are of, as its scene is now: its quality, its length. Throws as
 // makeRun() does.
-Run runOf(const Ledger& stored);
+Run runOf(const Settings& stored);
 // Where a stored ledger no longer is about that run, a line each: other settings, metrics, bands or
 // ingredients; and, with what the whole scene comes to now, metrics beyond their tolerance, or work
 // that differs by more than 2 %.

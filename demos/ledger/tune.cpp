@@ -4,6 +4,7 @@
 #include "ingredients.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <utility>
@@ -35,16 +36,19 @@ bool isChanged(const Run& run, const Run& before) { return !optionsOf(run, befor
 class Tuner {
 public:
     Tuner(const Run& run, const LedgerOptions& options, const std::filesystem::path& folder)
-        : run_(run), metrics_(run_.scene.metrics), trials_("tune", run_, options, folder) {
-        tuning_.scene = run.entry->name;
+        : run_(run), trials_("tune", run_, options, folder) {
+        tuning_.settings = settingsOf(run);
         tuning_.tolerance = options.tolerance;
+        tuning_.metrics = run.scene.metrics;
     }
 
     Tuning tuning() {
         converge();
         Run run = lower(start(), "");
-        if (const Run own = lower(bySet(run), "by set; "); isChanged(own, bySet(run))) run = own;
-        tuning_.settings = optionsOf(run, run_);
+        if (isChanged(bySet(run), run))
+            if (const Run own = lower(bySet(run), "by set; "); isChanged(own, bySet(run)))
+                run = own;
+        tuning_.options = optionsOf(run, run_);
         return std::move(tuning_);
     }
 
@@ -54,21 +58,14 @@ private:
     }
 
     std::pair<double, std::size_t> worstOf(const Trial& trial) const {
-        std::pair<double, std::size_t> worst{0, 0};
-        for (std::size_t m = 0; m < metrics_.size(); ++m) {
-            const double change =
-                trial.whole() ? tolerances_[m].changeOf(figuresOf(metrics_[m], m, trial.rows))
-                              : unlimited;
-            if (change > worst.first) worst = {change, m};
-        }
-        return worst;
+        return furthest(trial, tuning_.metrics, tuning_.tolerances);
     }
 
     void holdTo(const Trial& converged) {
-        tolerances_.clear();
-        for (std::size_t m = 0; m < metrics_.size(); ++m)
-            tolerances_.push_back(
-                toleranceOf(metrics_[m], m, converged, twins_, tuning_.tolerance));
+        tuning_.tolerances.clear();
+        for (std::size_t m = 0; m < tuning_.metrics.size(); ++m)
+            tuning_.tolerances.push_back(
+                tuneToleranceOf(tuning_.metrics[m], m, converged, twins_, tuning_.tolerance));
     }
 
     void converge() {
@@ -77,21 +74,34 @@ private:
             [&](int i) { return i == 0 ? run_ : nudged(run_, static_cast<unsigned>(i)); },
             {unlimited, unlimited});
         tuning_.own = twins_[0];
-        if (!tuning_.own.whole()) throw SceneError(tuning_.scene + ": " + tuning_.own.ending);
+        if (!tuning_.own.whole()) throw SceneError(run_.entry->name + ": " + tuning_.own.ending);
         Trial coarse = tuning_.own;
         for (int times = 2; times <= mostRefined; times *= 2) {
             Trial fine = trialOf("substeps times " + std::to_string(times), refined(run_, times));
-            if (!fine.whole()) throw SceneError(tuning_.scene + ": " + fine.ending);
+            if (!fine.whole()) throw SceneError(run_.entry->name + ": " + fine.ending);
             holdTo(fine);
             ladder_.push_back(std::exchange(coarse, fine));
-            if (worstOf(ladder_.back()).first > 1) continue;
             tuning_.refined = times;
-            tuning_.converged = std::move(fine);
-            tuning_.ownWorst = worstOf(tuning_.own).first;
-            return;
+            if (worstOf(ladder_.back()).first <= 1) break;
         }
-        throw SceneError(tuning_.scene + ": converges within no " + std::to_string(mostRefined) +
-                         " times its substeps");
+        tuning_.converged = std::move(coarse);
+        holdToBands(ladder_.back());
+        tuning_.ownWorst = worstOf(tuning_.own).first;
+    }
+
+    // What half the substeps of the finest run still move too far.
+    void holdToBands(const Trial& half) {
+        for (std::size_t m = 0; m < tuning_.metrics.size(); ++m) {
+            const Metric& metric = tuning_.metrics[m];
+            MetricTolerance& tolerance = tuning_.tolerances[m];
+            if (tolerance.changeOf(figuresOf(metric, m, half.rows)) <= 1) continue;
+            const double middle = (metric.low + metric.high) / 2, part = metric.high - middle;
+            if (!std::isfinite(part))
+                throw SceneError(run_.entry->name + ": " + metric.name + " converges within no " +
+                                 std::to_string(mostRefined) + " times its substeps");
+            tolerance = {{middle, middle, middle}, {part, part, part}};
+            tuning_.unsettled.push_back(metric.name);
+        }
     }
 
     // The cheapest of the ladder of substeps that is within tolerance.
@@ -120,8 +130,9 @@ private:
             std::size_t best = all.size();
             for (std::size_t i = 0; i < all.size(); ++i) {
                 const auto [worst, metric] = worstOf(tried[i]);
-                tuning_.steps.push_back({how + all[i].name(), tried[i].ending, workOf(tried[i]),
-                                         worst, metrics_.empty() ? "" : metrics_[metric].name});
+                tuning_.steps.push_back(
+                    {how + all[i].name(), tried[i].ending, workOf(tried[i]), worst,
+                     tuning_.metrics.empty() ? "" : tuning_.metrics[metric].name});
                 if (worst > 1)
                     refused.insert(all[i].name());
                 else if (isLess(tried[i], best < all.size() ? tried[best] : tuning_.chosen))
@@ -150,14 +161,30 @@ private:
     }
 
     const Run run_;
-    const std::vector<Metric>& metrics_;
     Trials trials_;
     std::vector<Trial> twins_, ladder_;
-    std::vector<MetricTolerance> tolerances_;
     Tuning tuning_{};
 };
 
 }  // namespace
+
+MetricTolerance tuneToleranceOf(const Metric& metric, std::size_t column, const Trial& converged,
+                                const std::vector<Trial>& twins, double tolerance) {
+    if (metric.low == 0 && metric.high > 0 && std::isfinite(metric.high))
+        return {{0, 0, 0}, {metric.high, metric.high, metric.high}};
+    return toleranceOf(metric, column, converged, twins, tolerance);
+}
+
+std::pair<double, std::size_t> furthest(const Trial& trial, const std::vector<Metric>& metrics,
+                                        const std::vector<MetricTolerance>& tolerances) {
+    if (!trial.whole()) return {unlimited, 0};
+    std::pair<double, std::size_t> worst{0, 0};
+    for (std::size_t m = 0; m < metrics.size(); ++m)
+        if (const double change = tolerances[m].changeOf(figuresOf(metrics[m], m, trial.rows));
+            change > worst.first)
+            worst = {change, m};
+    return worst;
+}
 
 Tuning tune(const Run& run, const LedgerOptions& options, const std::filesystem::path& folder) {
     return Tuner(run, options, folder).tuning();

@@ -27,14 +27,6 @@ Table tableOf(const Tuning& tuning) {
     return table;
 }
 
-std::string csvOf(const Tuning& tuning) {
-    std::string lines = "change,work,moves most,tolerances,taken\n";
-    for (const TuneStep& step : tuning.steps)
-        lines += step.change + "," + text(step.work) + "," + step.metric + "," + text(step.worst) +
-                 "," + (step.taken ? "1" : "0") + "\n";
-    return lines;
-}
-
 std::string wordsOf(const Tuning& tuning) {
     const auto change = [](double saved) {
         return (saved < 0 ? "adds " : "saves ") + rounded("%.0f", 100 * std::fabs(saved)) + " %";
@@ -45,8 +37,10 @@ std::string wordsOf(const Tuning& tuning) {
                         " times the substeps, and half as many are no more than " +
                         text(100 * tuning.tolerance) + " % from it. The scene's own settings are " +
                         rounded("%.2g", tuning.ownWorst) + " tolerances from it.\n";
-    if (tuning.settings.empty()) return words + "They are the cheapest.\n";
-    return words + "Chosen: " + tuning.settings + ". That " + change(work) +
+    for (const std::string& name : tuning.unsettled)
+        words += "By no number of substeps " + name + " settles: it is held to its band.\n";
+    if (tuning.options.empty()) return words + "They are the cheapest.\n";
+    return words + "Chosen: " + tuning.options + ". That " + change(work) +
            " of the counted work and " + change(1 - tuning.chosen.seconds / tuning.own.seconds) +
            " of the time.\n";
 }
@@ -74,7 +68,7 @@ Figure figureOf(const Tuning& tuning) {
                             .style = curveStyle(2)});
     chart.curves.push_back(
         {.name = "tolerance", .points = {{0, 1}, {right, 1}}, .style = theoryStyle});
-    return {.title = "The cheapest settings of " + tuning.scene,
+    return {.title = "The cheapest settings of " + valueOf(tuning.settings, "scene"),
             .charts = {chart},
             .width = 1280,
             .height = 800};
@@ -84,7 +78,8 @@ Figure figureOf(const Tuning& tuning) {
 
 std::string writeTuning(const Tuning& tuning, const std::filesystem::path& folder,
                         const std::string& command) {
-    const std::string words = wordsOf(tuning), title = "The cheapest settings of " + tuning.scene;
+    const std::string words = wordsOf(tuning),
+                      title = "The cheapest settings of " + valueOf(tuning.settings, "scene");
     writeWhole(folder / "tune.csv", csvOf(tuning));
     writeFigure(folder / "chart", figureOf(tuning));
     writeWhole(folder / "index.html",

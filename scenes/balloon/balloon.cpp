@@ -11,7 +11,6 @@
 #include <plait/contacts/surface.h>
 #include <plait/forces/air.h>
 #include <plait/forces/gravity.h>
-#include <plait/numbers/arctangent.h>
 #include <plait/stencils.h>
 
 #include <algorithm>
@@ -39,34 +38,6 @@ double amountAt(const PartyBalloon& balloon, double rest, double stretch, double
 
 double volumeOf(const Enclosure& enclosure, const Snapshot& at) {
     return volume(enclosure, at.positions);
-}
-
-// In degrees: by how much neighbouring facets are turned against each other more than as it is
-// made, in the mean. It folds where it is limp, and what it has against that is the stiffness of
-// its wall.
-Metric folds(const World& world, Range skin) {
-    struct Hinge {
-        std::array<int, 4> at;
-        double rest;
-    };
-    const auto angle = [](const std::vector<Vec<double>>& x, const std::array<int, 4>& at) {
-        const Vec<double> edge = x[at[1]] - x[at[0]];
-        const Vec<double> a = cross(edge, x[at[2]] - x[at[0]]),
-                          b = cross(x[at[3]] - x[at[0]], edge);
-        return arctangent2(length(cross(a, b)), dot(a, b));
-    };
-    std::vector<Hinge> hinges;
-    const std::vector<int> stencils = hingeStencils(world.complex, skin);
-    for (std::size_t i = 0; i < stencils.size(); i += 4) {
-        const std::array<int, 4> at{stencils[i], stencils[i + 1], stencils[i + 2], stencils[i + 3]};
-        hinges.push_back({at, angle(world.rest, at)});
-    }
-    return {.name = "folds", .unit = "degrees", .measure = [=](const Snapshot& at) {
-                double sum = 0;
-                for (const Hinge& hinge : hinges)
-                    sum += std::fabs(angle(at.positions, hinge.at) - hinge.rest);
-                return 180 / pi * sum / static_cast<double>(hinges.size());
-            }};
 }
 
 void look(View& view, Range skin, const PartyBalloon& balloon, double stretch) {
@@ -133,7 +104,7 @@ Scene balloon(const Knobs& knobs) {
         selfIntersections(world, skin, {0, 0}),
         lowestHeight({0, 1}),
         contactFailures(),
-        folds(world, skin)};
+        folds(world, skin, {})};
     look(scene.view, skin, party, stretch);
     return scene;
 }

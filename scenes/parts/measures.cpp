@@ -6,9 +6,12 @@
 #include <plait/measure/surfaces/geometry.h>
 #include <plait/measure/surfaces/intersections.h>
 #include <plait/measure/surfaces/penetration.h>
+#include <plait/numbers/arctangent.h>
 #include <plait/stencils.h>
 
+#include <cmath>
 #include <memory>
+#include <utility>
 
 namespace plait {
 namespace {
@@ -29,6 +32,15 @@ std::function<StrainSummary(const Snapshot&)> strainOf(const World& world,
                               world.rest[static_cast<std::size_t>(links[i])]));
     }
     return [=](const Snapshot& at) { return summarizeStrain(at.positions, edges, rest); };
+}
+
+// rad, between the facets beside an edge.
+double dihedralAngle(const std::vector<Vec<double>>& x, const std::array<int, 4>& hinge) {
+    const auto corner = [&](std::size_t i) { return x[static_cast<std::size_t>(hinge[i])]; };
+    const Vec<double> edge = corner(1) - corner(0);
+    const Vec<double> left = cross(edge, corner(2) - corner(0)),
+                      right = cross(corner(3) - corner(0), edge);
+    return arctangent2(length(cross(left, right)), dot(left, right));
 }
 
 }  // namespace
@@ -53,6 +65,22 @@ Metric greatestStrain(const World& world, Range range, Band band) {
 
 Metric commonStrain(const World& world, Range range, Band band) {
     return commonStrain(world, edgeStencils(world.complex, range), band);
+}
+
+Metric folds(const World& world, Range range, Band band) {
+    std::vector<std::pair<std::array<int, 4>, double>> hinges;  // and angles at rest
+    const std::vector<int> stencils = hingeStencils(world.complex, range);
+    for (std::size_t i = 0; i < stencils.size(); i += 4) {
+        const std::array<int, 4> hinge{stencils[i], stencils[i + 1], stencils[i + 2],
+                                       stencils[i + 3]};
+        hinges.emplace_back(hinge, dihedralAngle(world.rest, hinge));
+    }
+    return metricOf("folds", "degrees", band, [=](const Snapshot& at) {
+        double sum = 0;
+        for (const auto& [hinge, rest] : hinges)
+            sum += std::fabs(dihedralAngle(at.positions, hinge) - rest);
+        return 180 / pi * sum / static_cast<double>(hinges.size());
+    });
 }
 
 Metric selfIntersections(const World& world, Range range, Band band) {

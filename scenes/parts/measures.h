@@ -10,9 +10,9 @@
 
 namespace plait {
 
-// The band of a metric.
+// The band of a metric; {} has no bounds.
 struct Band {
-    double low, high;
+    double low = -infinity, high = infinity;
     double from = 0;  // s
 };
 
@@ -22,6 +22,10 @@ Metric greatestStrain(const World& world, const std::vector<int>& links, Band ba
 Metric commonStrain(const World& world, const std::vector<int>& links, Band band);
 Metric greatestStrain(const World& world, Range range, Band band);
 Metric commonStrain(const World& world, Range range, Band band);
+
+// In degrees: by how much neighbouring facets of `range` are turned against each other more than as
+// it is made, in the mean.
+Metric folds(const World& world, Range range, Band band);
 
 // Pairs of an edge, of a sheet or a curve, and a triangle of `range` that go through each other.
 Metric selfIntersections(const World& world, Range range, Band band);

@@ -163,7 +163,8 @@ Scene levitation(const Knobs& knobs) {
     scene.options.schedule.collisionPasses = 60;
     scene.options.sweeps = Sweeps::oneWay;
     scene.seconds = seconds;
-    scene.metrics = {clockOf(world, slinky, rod, {0, 1.03 * slinky.collapse()}),
+    const double met = slinky.collapse();
+    scene.metrics = {clockOf(world, slinky, rod, {0.97 * met, 1.03 * met, letGoAt + 1.03 * met}),
                      lastTurnMoves(world, slinky, rod, {0, 0.5}),
                      besideMark(world, rod, mark.first, {0, 1}),
                      greatestStrain(world, rod.points, {0, 1}),

@@ -257,7 +257,7 @@ TEST_CASE("ledger: the cheapest settings keep what is converged", "[ledger]") {
     Run run = ropes(ropesEntry);
     run.scene.metrics.resize(1);
     const Tuning tuning = tune(run, options, folder / "own");
-    REQUIRE_FALSE(tuning.settings.empty());
+    REQUIRE_FALSE(tuning.options.empty());
     const auto distance = [&](const Trial& trial) {
         const MetricTolerance t = toleranceOf(run.scene.metrics[0], 0, tuning.converged, {}, 0.02);
         return t.changeOf(figuresOf(run.scene.metrics[0], 0, trial.rows));
@@ -266,7 +266,7 @@ TEST_CASE("ledger: the cheapest settings keep what is converged", "[ledger]") {
     for (const TuneStep& step : tuning.steps)
         if (step.taken) CHECK(step.worst <= 1);
     // Told on the command line, it is that run.
-    CHECK(tuning.settings.find("--") == 0);
+    CHECK(tuning.options.find("--") == 0);
 
     Run fine = run;
     fine.scene.options.schedule.substeps = 400;

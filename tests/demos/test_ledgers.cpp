@@ -1,6 +1,7 @@
-// The ledgers of the demos (golden/ledger): they still are about their scenes, and leave nothing to
-// complain of. By counted work alone.
+// The ledgers of the demos (golden/ledger) and their tunings (golden/tune): they still are about
+// their scenes, and leave nothing to complain of. By counted work alone.
 #include "demos/ledger/ledger.h"
+#include "demos/ledger/tune.h"
 #include "demos/tools/errors.h"
 #include "demos/tools/files.h"
 #include "tests/catch.h"
@@ -16,6 +17,11 @@ Ledger stored(const std::string& scene) {
     return ledgerFrom(readWhole(path), path);
 }
 
+Tuning storedTuning(const std::string& scene) {
+    const std::string path = PLAIT_ROOT "/golden/tune/" + scene + ".csv";
+    return tuningFrom(readWhole(path), path);
+}
+
 void none(const std::string& scene, const std::vector<std::string>& lines) {
     INFO(scene << ": mend it, or store its ledger again: golden/README.md");
     CHECK(lines == std::vector<std::string>{});
@@ -24,17 +30,32 @@ void none(const std::string& scene, const std::vector<std::string>& lines) {
 void checkBase(const std::string& scene) {
     const Ledger ledger = stored(scene);
     const double unlimited = std::numeric_limits<double>::infinity();
-    none(scene, differences(ledger, tryOut(runOf(ledger), {unlimited, unlimited})));
+    none(scene, differences(ledger, tryOut(runOf(ledger.settings), {unlimited, unlimited})));
 }
-
-// Not stored yet: twenty runs of it take ten minutes.
-const std::string unstored = "balloon";
 
 std::vector<std::string> demos() {
     std::vector<std::string> names;
     for (const SceneEntry& entry : scenes())
-        if (entry.demo && entry.name != unstored) names.push_back(entry.name);
+        if (entry.demo) names.push_back(entry.name);
     return names;
+}
+
+// What is tried beside a run anew, and would be cheaper.
+void checkCheapest(const std::string& scene) {
+    const Tuning tuning = storedTuning(scene);
+    const Run run = runOf(tuning.settings);
+    const double unlimited = std::numeric_limits<double>::infinity();
+    const Trial own = tryOut(run, {unlimited, unlimited});
+    const auto [far, metric] = furthest(own, tuning.metrics, tuning.tolerances);
+    INFO(scene << ": " << tuning.metrics[metric].name);
+    CHECK(far <= 1);
+    for (const Run& from : {run, bySet(run)})
+        for (const Ingredient& change : cheaperSettings(from)) {
+            const Trial trial = tryOut(without(from, {&change, 1}), limitOf(own));
+            INFO(change.name());
+            CHECK((furthest(trial, tuning.metrics, tuning.tolerances).first > 1 ||
+                   trial.evaluations() >= own.evaluations()));
+        }
 }
 
 // Not mended yet. Of the dress half a second is in the ledger, before she leaps: whether later its
@@ -52,13 +73,12 @@ TEST_CASE("ledgers: demos have no needless ingredient and no idle metric", "[led
     for (const std::string& scene : demos())
         for (const std::string& line : stored(scene).complaints()) found.push_back(line);
     CHECK(found == unmended);  // and what is mended leaves that list
-    CHECK_FALSE(std::filesystem::exists(PLAIT_ROOT "/golden/ledger/" + unstored + ".csv"));
 }
 
 TEST_CASE("ledgers: settings, metrics and ingredients are those of the demos", "[ledger]") {
     for (const std::string& scene : demos()) {
         const Ledger ledger = stored(scene);
-        none(scene, differences(ledger, runOf(ledger)));
+        none(scene, differences(ledger, runOf(ledger.settings)));
     }
 }
 
@@ -71,9 +91,38 @@ TEST_CASE("ledgers: the other demos come to what their ledgers say", "[ledger][l
         if (std::ranges::count(cheap, scene) == 0) checkBase(scene);
 }
 
+TEST_CASE("tunings: demos have the cheapest settings that keep what is converged", "[ledger]") {
+    for (const std::string& scene : demos()) {
+        const Tuning tuning = storedTuning(scene);
+        none(scene, differences(tuning, runOf(tuning.settings)));
+    }
+}
+
+TEST_CASE("tunings: cheap demos tried anew", "[ledger][long]") {
+    for (const std::string& scene : cheap) checkCheapest(scene);
+}
+
+TEST_CASE("tunings: one that no longer is of its scene is found out", "[ledger]") {
+    const Tuning tuning = storedTuning("flag");
+    const Run run = runOf(tuning.settings);
+    REQUIRE(differences(tuning, run).empty());
+    CHECK(csvOf(tuningFrom(csvOf(tuning), "flag")) == csvOf(tuning));
+    Run other = run;
+    other.scene.options.schedule.substeps *= 2;
+    CHECK(differences(tuning, other).size() == 2);
+    other = run;
+    other.scene.metrics[0].high *= 2;
+    CHECK(differences(tuning, other).size() == 2);
+    Tuning worse = tuning;
+    worse.ownWorst = 1.5;
+    CHECK(differences(worse, run).size() == 1);
+    worse.options = "--substeps 30";
+    CHECK(differences(worse, run).size() == 2);
+}
+
 TEST_CASE("ledgers: one that no longer is of its scene is found out", "[ledger]") {
     const Ledger ledger = stored("flag");
-    const Run run = runOf(ledger);
+    const Run run = runOf(ledger.settings);
     REQUIRE(differences(ledger, run).empty());
     CHECK(csvOf(ledgerFrom(csvOf(ledger), "flag")) == csvOf(ledger));
     Run other = run;

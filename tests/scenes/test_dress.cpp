@@ -45,11 +45,10 @@ TEST_CASE("dress: it begins free of her and of itself", "[dress]") {
 }
 
 // The first quarter of a second: both layers fall on each other and on her hips.
-TEST_CASE("dress: while it falls nothing passes through anything", "[dress][figures]") {
+TEST_CASE("dress: while it falls nothing passes through anything", "[dress][figures][FX10]") {
     const Scene scene = build(findScene("dress"), Quality::draft);
     const std::vector<double> most = worst(scene, 0, 6);
-    for (std::size_t i = 0; i < most.size(); ++i)
-        if (scene.metrics[i].high == 0) CHECK(most[i] == 0);
+    for (std::size_t i = 0; i < most.size(); ++i) CHECK(most[i] <= scene.metrics[i].high);
 }
 
 // A sixth of the substeps. Where contacts look at where these end alone, layers that meet have gone

@@ -34,23 +34,40 @@ PairSearch::PairSearch(const SimplicialComplex& complex, std::vector<Surface> su
                                           {grains, 1},
                                           {balls, 1}})
             side[kind].arity = arity;
-    const std::vector<int> fans = complex.valences(0), wings = complex.valences(1);
-    for (int v = 0; v < complex.count(0); ++v) {
-        add(fans[v] ? points : grains, complex.vertices(0, v));
-        if (surface_[v] >= 0 && surfaces_[surface_[v]].self == Self::vertex)
-            add(balls, complex.vertices(0, v));
-    }
-    for (int e = 0; e < complex.count(1); ++e) {
-        add(edges, complex.vertices(1, e));
-        if (!wings[e]) add(curves, complex.vertices(1, e));
-    }
-    for (int t = 0; t < complex.count(2); ++t) add(triangles, complex.vertices(2, t));
+    addMatter(complex);
     mayMeet(points, triangles, Self::vertexFace);
     mayMeet(edges, edges, Self::full);
     mayMeet(grains, triangles, Self::vertexFace);
     mayMeet(grains, curves, Self::vertexFace);
     mayMeet(grains, grains, Self::vertexFace);
     mayMeet(balls, balls, Self::vertex);
+}
+
+// But for what lies within: faces that two tetrahedra share, and their edges and corners that are
+// of no other face (V) [CC19].
+void PairSearch::addMatter(const SimplicialComplex& complex) {
+    const std::vector<int> fans = complex.valences(0), wings = complex.valences(1),
+                           cells = complex.valences(2);
+    std::vector<bool> within(fans.size()), edgeWithin(wings.size());
+    for (std::size_t v = 0; v < fans.size(); ++v) within[v] = fans[v] > 0;
+    const Csr faces = complex.parents(1);
+    for (int e = 0; e < complex.count(1); ++e) {
+        edgeWithin[e] =
+            wings[e] > 0 && std::ranges::all_of(faces[e], [&](int t) { return cells[t] > 1; });
+        if (!edgeWithin[e])
+            for (const int v : complex.vertices(1, e)) within[v] = false;
+    }
+    for (int v = 0; v < complex.count(0); ++v) {
+        if (!within[v]) add(fans[v] ? points : grains, complex.vertices(0, v));
+        if (surface_[v] >= 0 && surfaces_[surface_[v]].self == Self::vertex)
+            add(balls, complex.vertices(0, v));
+    }
+    for (int e = 0; e < complex.count(1); ++e) {
+        if (!edgeWithin[e]) add(edges, complex.vertices(1, e));
+        if (!wings[e]) add(curves, complex.vertices(1, e));
+    }
+    for (int t = 0; t < complex.count(2); ++t)
+        if (cells[t] < 2) add(triangles, complex.vertices(2, t));
 }
 
 bool PairSearch::hasRound() const {

@@ -89,6 +89,7 @@ private:
         std::vector<int> kept{};     // by part
     };
 
+    void addMatter(const SimplicialComplex& complex);
     void add(Kind kind, std::span<const int> ids);
     void mayMeet(Kind a, Kind b, Self self);
     bool accepts(const Meeting& meeting, std::span<const int> a, std::span<const int> b) const;

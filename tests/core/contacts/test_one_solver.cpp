@@ -6,6 +6,7 @@
 #include <plait/contacts/solids/collider.h>
 #include <plait/measure/momentum.h>
 
+#include <numeric>
 #include <string>
 
 using namespace plait;
@@ -252,7 +253,7 @@ TEST_CASE("one solver: for particles alone one substep and one pass do as well",
 
 // Three sheets that fall on a fourth: the second lets the first through, and all else stays.
 TEST_CASE("one solver: two that ignore each other pass, and meet all others as before",
-          "[contacts][LY4]") {
+          "[contacts][LY4][LY5]") {
     const auto fall = [](std::vector<int> ignores) {
         World world;
         std::vector<Surface> surfaces;
@@ -288,4 +289,59 @@ TEST_CASE("one solver: two that ignore each other pass, and meet all others as b
     const Range sheet = addFalling(world, 0, 0);
     CHECK_THROWS_WITH(meet(world, {{.vertices = sheet, .ignores = {1}}}),
                       "contacts: there is no surface 1 to ignore");
+}
+
+// A particle within a block of tetrahedra flies through the faces that two of them share, and not
+// through the block's own.
+TEST_CASE("one solver: of tetrahedra only what is open meets anything", "[contacts][CC19]") {
+    World world;
+    const Range within = world.add(block({3, 3, 3, 0.3, 0.3, 0.3}, {.origin = {0, 0, 0}}));
+    std::vector<int> all(static_cast<std::size_t>(within.size()));
+    std::iota(all.begin(), all.end(), within.first);
+    world.pin(all);
+    const Vec<double> from{0.06, 0.07, 0.08}, velocity{1, 0.5, 0.3};
+    const Range point = addPoint(world, from, 1, velocity);
+    meet(world,
+         {{.vertices = within, .thickness = 0.002}, {.vertices = point, .thickness = 0.002}});
+    Solver<double> solver(world, meeting(10, 4));
+    advance(solver, 4);
+    CHECK(report("within, off its straight way, m",
+                 length(solver.positions()[point.first] - from - 4.0 / 24 * velocity), 1e-12));
+    CHECK(countsOf(solver, world).contacts == 0);
+    advance(solver, 4);
+    CHECK(std::fabs(solver.positions()[point.first].x - 0.296) < 1e-4);
+    CHECK(countsOf(solver, world).failures() == 0);
+}
+
+// Sheets that are thrown on a floor: more passes look no more often, and leave less overlap.
+TEST_CASE("one solver: passes over contacts look for none anew", "[contacts][SC19]") {
+    const auto overlapAfter = [](int passes, long& searches) {
+        World world;
+        std::vector<Surface> surfaces;
+        for (int i = 0; i < 6; ++i)
+            surfaces.push_back(
+                {.vertices = addFalling(world, 0.041 * i, i ? -4.0 : 0.0), .thickness = 0.02});
+        std::vector<int> floor(36);
+        std::iota(floor.begin(), floor.end(), 0);
+        world.pin(floor);
+        meet(world, surfaces);
+        Solver<double> solver(world, meeting(1, passes));
+        solver.frame();
+        searches = countsOf(solver, world).searches;
+        const Points x = solver.positions();
+        double overlap = 0;
+        for (int i = 1; i < 6; ++i)
+            overlap = std::max(overlap, 0.04 - (x[36 * i].y - x[36 * (i - 1)].y));
+        return overlap;
+    };
+    long first = 0, searches = 0;
+    double before = overlapAfter(1, first);
+    for (const int passes : {4, 16, 64}) {
+        const double overlap = overlapAfter(passes, searches);
+        note("overlap, m, passes " + std::to_string(passes), overlap);
+        CHECK(searches == first);
+        CHECK(overlap < before);
+        before = overlap;
+    }
+    CHECK(before < 1e-9);
 }

@@ -124,6 +124,35 @@ TEST_CASE("sequence: through its meshes, smoothly or straight", "[sequence]") {
     CHECK(report("straight between them, off the chord, m", chord, 1e-15));
 }
 
+// What goes round and is shown at half its speed: straight between its meshes it moves by jerks,
+// two frames alike and then a turn.
+TEST_CASE("sequence: retimed, what is smooth stays smooth", "[sequence][CA11]") {
+    const ScratchFolder folder;
+    const auto turned = [](double angle) {
+        Points x = tetrahedron(0);
+        for (auto& p : x)
+            p = {p.x * std::cos(angle) - p.y * std::sin(angle),
+                 p.x * std::sin(angle) + p.y * std::cos(angle), p.z};
+        return x;
+    };
+    constexpr double step = 0.2;  // rad from mesh to mesh
+    for (int i = 0; i < 13; ++i)
+        write(folder / ("t" + std::to_string(i) + ".obj"), vertices(turned(step * i)) + faces);
+    for (const bool smooth : {true, false}) {
+        const MeshSequence slow(folder / "t*.obj", {.frameRate = 12, .smooth = smooth});
+        double least = 1e9, most = 0;
+        for (int frame = 4; frame < 20; ++frame) {
+            const auto corner = [&](int f) { return at(slow, f / 24.0)[1]; };
+            const double turn = length(corner(frame + 1) - 2 * corner(frame) + corner(frame - 1));
+            least = std::min(least, turn), most = std::max(most, turn);
+        }
+        note(smooth ? "smooth: least of the greatest change of speed"
+                    : "straight: least of the greatest change of speed",
+             least / most);
+        CHECK((least > 0.5 * most) == smooth);
+    }
+}
+
 TEST_CASE("sequence: holds before and behind, without a jolt", "[sequence]") {
     const ScratchFolder folder;
     writeTetrahedra(folder, 5, 98);  // from 98 to 102: sorted as numbers

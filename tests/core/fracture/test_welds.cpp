@@ -27,13 +27,13 @@ double breakingAt(const Breaks& breaks) {
 }
 
 // A strip held at one end under its own weight, of the length at which sigma = 3 rho g L^2 / t.
-World cantilever(const Pattern& strip, double gravity) {
+World cantilever(const Pattern& strip, double gravity, const WeldMatter& matter = even) {
     World world;
     const double width = strip.pane.height;
     const int clamp = addBox(world, {0.1, width, 0.05}, {-0.05 - 20e-6, width / 2, 0}, glass);
     pinPiece(world, clamp);
     const std::vector<int> cells = addCells(world, strip, {});
-    weldPieces(world, weldsOf(strip, {}, cells, {-1, -1, -1, clamp}), {.matter = even});
+    weldPieces(world, weldsOf(strip, {}, cells, {-1, -1, -1, clamp}), {.matter = matter});
     world.act<Gravity>(GravityOptions{.acceleration = {0, 0, -gravity}});
     return world;
 }
@@ -116,6 +116,19 @@ TEST_CASE("welds: a cantilever of one row breaks at its length", "[welds][UN11]"
             breakingAt([&](double part) { return breaks(cantilever(strip, 9.81 * part), {}); });
         REQUIRE(report("cantilever's length, off, " + std::to_string(cells) + " cells",
                        lengthOff(load), 0.03));
+    }
+}
+
+TEST_CASE("welds: what breaks them grows as their strength", "[welds][BR1]") {
+    const Pattern strip =
+        row(std::sqrt(strength * thickness / (3 * glass * 9.81)), 0.1, thickness, 20);
+    for (const double times : {0.25, 1.0, 4.0}) {
+        const WeldMatter matter{.strength = times * strength, .scatter = 0};
+        const double load = breakingAt([&](double part) {
+            return breaks(cantilever(strip, 9.81 * times * part, matter), {});
+        });
+        REQUIRE(report("load by strength, times " + std::to_string(times), std::fabs(load - 1),
+                       2 * 0.03));
     }
 }
 

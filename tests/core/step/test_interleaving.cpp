@@ -300,3 +300,44 @@ TEST_CASE("smoothing spreads the error and keeps momentum", "[interleaving][SC16
     REQUIRE(report("free sheet, smoothing 10, change of momentum, relative",
                    length(momentum(world.mass, solver.velocities()) - before) / scale, 1e-12));
 }
+
+// V's first guess of how many: the edges that lie between what is furthest apart. Sweeps carry a
+// pull along a chain by two links an iteration where links of one colour are solved at once, and
+// none is carried further than that.
+TEST_CASE("as many iterations as edges lie between let all ends know", "[interleaving][SC15]") {
+    constexpr int links = 32;
+    const auto after = [](int iterations) {
+        World world;
+        Points start;
+        for (int i = 0; i <= links; ++i) start.push_back({0.1 * i, 0, 0});
+        start[0].x = -0.1;
+        const Range whole = world.add(chain({.links = links, .to = {0.1 * links, 0, 0}}),
+                                      {.density = 1, .start = start});
+        world.pin({whole.first});
+        world.constrain(linksOf(world), {.name = "links"});
+        SolverOptions options;
+        options.schedule = {.substeps = 1, .iterations = iterations};
+        options.sweeps = Sweeps::oneWay;
+        Solver<double> solver(world, options);
+        solver.frame();
+        const Points x = solver.positions();
+        int reached = 0;
+        double off = 0;
+        for (int i = 1; i <= links; ++i) {
+            if (x[i].x != start[i].x) reached = i;
+            off = std::max(off, std::fabs(x[i].x - x[i - 1].x - 0.1));
+        }
+        return std::pair{reached, off};
+    };
+    CHECK(after(links / 4).first < links);
+    double before = after(links / 4).second;
+    for (const int iterations : {links, 4 * links, 16 * links}) {
+        const auto [reached, off] = after(iterations);
+        note("greatest error of a link, parts of its length, iterations " +
+                 std::to_string(iterations),
+             off / 0.1);
+        CHECK(reached == links);
+        CHECK(off < before);
+        before = off;
+    }
+}
