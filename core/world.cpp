@@ -147,6 +147,18 @@ void checkStencils(const std::string& set, std::span<const int> ids, int arity, 
                                     " twice");
 }
 
+void World::sweepOut() {
+    int at = -1, kept = 0;
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+        if (!sets[s].recipe.single) continue;
+        if (static_cast<int>(s) == clusters) at = kept;
+        ++kept;
+    }
+    clusters = at;
+    std::erase_if(sets, [](const Set& set) { return !set.recipe.single; });
+    std::erase_if(forces, [](const Recipe<Force>& force) { return !force.single; });
+}
+
 void World::warnOutside(const std::string& name, double value, double low, double high) {
     if (value >= low && value <= high) return;
     char text[160];

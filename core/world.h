@@ -146,6 +146,9 @@ struct World {
     template <template <class> class F, class Options>
     static Recipe<Force> recipeOfForce(Options options);
 
+    // Takes out sets and forces whose recipe has become empty, {}.
+    void sweepOut();
+
     // Notes a value outside [low, high] by name.
     void warnOutside(const std::string& name, double value, double low, double high);
 };

@@ -56,6 +56,7 @@ int describe(const Arguments& arguments) {
             if (name == option.name)
                 settings.push_back(columns("--" + name, value, option.argument));
     print(("Options: value in " + quality).c_str(), settings);
+    print("Sets and forces (--without NAME,...)", partsOf(run));
     print("Warnings", run.scene.world.warnings);
     const SimplicialComplex& complex = run.scene.world.complex;
     std::printf("\n%d vertices, %d edges, %d triangles in %s\n", complex.count(0), complex.count(1),

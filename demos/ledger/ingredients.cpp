@@ -169,19 +169,6 @@ void addOptions(Ingredients& all, const Run& run) {
     if (run.scene.lead > 0) all.push_back({"lead", "none", [](Run& r) { r.scene.lead = 0; }});
 }
 
-// What has no recipe any more is gone.
-void sweepOut(World& world) {
-    int clusters = -1, kept = 0;
-    for (std::size_t s = 0; s < world.sets.size(); ++s) {
-        if (!world.sets[s].recipe.single) continue;
-        if (static_cast<int>(s) == world.clusters) clusters = kept;
-        ++kept;
-    }
-    world.clusters = clusters;
-    std::erase_if(world.sets, [](const World::Set& set) { return !set.recipe.single; });
-    std::erase_if(world.forces, [](const Recipe<Force>& force) { return !force.single; });
-}
-
 }  // namespace
 
 std::vector<Ingredient> ingredientsOf(const Run& run) {
@@ -228,7 +215,7 @@ Run bySet(Run run) {
 
 Run without(Run run, std::span<const Ingredient> taken) {
     for (const Ingredient& ingredient : taken) ingredient.take(run);
-    sweepOut(run.scene.world);
+    run.scene.world.sweepOut();
     return run;
 }
 

@@ -121,9 +121,36 @@ void setImportance(Run& run, const std::string& words) {
     }
 }
 
-// In the order in which they are applied: frame rate before substeps, method before integrator.
+void leaveOut(Run& run, const std::string& words) {
+    World& world = run.scene.world;
+    const Names names = partsOf(run);
+    const std::size_t sets = world.sets.size();
+    for (std::size_t begin = 0; begin < words.size();) {
+        const std::size_t end = std::min(words.find(',', begin), words.size());
+        const std::string name = words.substr(begin, end - begin);
+        begin = end + 1;
+        parseChoice("--without", name, names);
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            if (names[i] != name) continue;
+            if (i < sets)
+                world.sets[i].recipe = {};
+            else
+                world.forces[i - sets] = {};
+        }
+    }
+    world.sweepOut();
+    run.without = words;
+}
+
+constexpr const char* withoutName = "without";
+
+// In the order in which they are applied: what is left out first, frame rate before substeps,
+// method before integrator.
 const std::vector<Setting>& table() {
     static const std::vector<Setting> all = {
+        {{withoutName, "NAME,...", "leaves out sets and forces: `describe` names them"},
+         [](const Run& run) { return run.without; },
+         leaveOut},
         {{"fps", "N|N/M", "frames in a second"}, frameRateText, setFrameRate},
         {{"seconds", "S", "playing time"},
          [](const Run& run) { return text(run.scene.seconds); },
@@ -241,6 +268,15 @@ Scene buildScene(Run& run, const Settings& settings) {
 
 }  // namespace
 
+std::vector<std::string> partsOf(const Run& run) {
+    const World& world = run.scene.world;
+    Names names;
+    for (const World::Set& set : world.sets) names.push_back(set.options.name);
+    for (const Recipe<Force>& force : world.forces)
+        names.push_back(force.make<double>(world, run.scene.options.kernels)->name());
+    return names;
+}
+
 int Run::frames() const {
     return std::max(1, static_cast<int>(std::lround(scene.seconds * frameRate())));
 }
@@ -290,7 +326,8 @@ Settings settingsOf(const Run& run) {
     for (const auto& [name, content] : run.contents)
         settings.emplace_back(contentPrefix + name, content);
     for (const Setting& setting : table())
-        settings.emplace_back(setting.option.name, setting.get(run));
+        if (setting.option.name != withoutName || !run.without.empty())
+            settings.emplace_back(setting.option.name, setting.get(run));
     return settings;
 }
 

@@ -22,10 +22,14 @@ struct Run {
     std::map<std::string, std::string> contents;
     Scene scene;
     Precision precision = Precision::single;
+    std::string without = {};  // names of sets and forces that are left out, commas between
 
     int frames() const;        // after frame 0, the start; at least 1
     double frameRate() const;  // frames in a second
 };
+
+// Names of the sets and forces that its world is made of, in that order.
+std::vector<std::string> partsOf(const Run& run);
 
 // Options that decide a state. Their values are those that `settingsOf` gives.
 struct SettingOption {

@@ -10,8 +10,11 @@
 #include "tests/catch.h"
 #include "tests/scratch_folder.h"
 
+#include <plait/solver.h>
+
 #include <sys/wait.h>
 #include <unistd.h>
+#include <algorithm>
 #include <limits>
 #include <thread>
 
@@ -94,6 +97,38 @@ TEST_CASE("settings are words that make the same run again", "[program]") {
 }
 
 // The tasks of a study are processes, and the first ones all write its reference.
+// With no outer force a sheet that hangs from two pins does not fall, and goes as one that never
+// had any.
+TEST_CASE("sets and forces are left out by name", "[program][IN30]") {
+    const Settings words{{"scene", "hanging-sheet"}, {"quality", "draft"}, {"without", "gravity"}};
+    const Run run = makeRun(words);
+    CHECK(valueOf(settingsOf(run), "without") == "gravity");
+    CHECK(settingsOf(makeRun(settingsOf(run))) == settingsOf(run));
+    CHECK(run.scene.world.forces.empty());
+    Run never = makeRun({{"scene", "hanging-sheet"}, {"quality", "draft"}});
+    CHECK(valueOf(settingsOf(never), "without").empty());
+    never.scene.world.forces.clear();
+    const auto after = [](const Run& of) {
+        Solver<float> solver(of.scene.world, of.scene.options);
+        for (int frame = 0; frame < 24; ++frame) solver.frame();
+        const std::vector<Vec<double>> x = solver.positions();
+        double moved = 0;
+        for (std::size_t v = 0; v < x.size(); ++v)
+            moved = std::max(moved, length(x[v] - of.scene.world.start[v]));
+        CHECK(moved < 1e-6);
+        return solver.hash();
+    };
+    CHECK(after(run) == after(never));
+
+    const std::size_t parts = partsOf(run).size();
+    const Run bare =
+        makeRun({{"scene", "hanging-sheet"}, {"quality", "draft"}, {"without", "gravity,mending"}});
+    CHECK(partsOf(bare).size() == parts - 1);
+    CHECK_THROWS_AS(
+        makeRun({{"scene", "hanging-sheet"}, {"quality", "draft"}, {"without", "grvity"}}),
+        UsageError);
+}
+
 TEST_CASE("two processes may write the same file", "[program]") {
     const ScratchFolder scratch;
     const std::filesystem::path path = scratch / "file";
