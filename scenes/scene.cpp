@@ -118,7 +118,8 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
          .lesson = "Cloth that never passes through itself or the dancer, however she whirls",
          .ingredients = {"stretch", "shear", "bend", "contact", "friction", "gravity", "air"},
          .omissions = {"gusts: the air is that of a hall"},
-         .essentials = {"contacts: without edges with edges of its own"},
+         // Threads want mending late in the dance, which the ledger's half second does not see.
+         .essentials = {"silk mending", "contacts: without edges with edges of its own"},
          .demo = true,
          .knobs = {{.name = "body",
                     .meaning =

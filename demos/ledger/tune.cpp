@@ -13,7 +13,7 @@ namespace plait {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-constexpr int mostRefined = 32;
+constexpr int mostRefined = 32, nudges = 6;
 
 Run refined(Run run, int times) {
     run.scene.options.schedule.substeps *= times;
@@ -69,9 +69,10 @@ private:
     }
 
     void converge() {
+        std::vector<std::string> words{"base"};
+        for (int i = 1; i <= nudges; ++i) words.push_back("nudged " + std::to_string(i));
         twins_ = trials_.of(
-            {"base", "nudged 1", "nudged 2"},
-            [&](int i) { return i == 0 ? run_ : nudged(run_, static_cast<unsigned>(i)); },
+            words, [&](int i) { return i == 0 ? run_ : nudged(run_, static_cast<unsigned>(i)); },
             {unlimited, unlimited});
         tuning_.own = twins_[0];
         if (!tuning_.own.whole()) throw SceneError(run_.entry->name + ": " + tuning_.own.ending);

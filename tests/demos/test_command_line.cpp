@@ -5,6 +5,7 @@
 #include "tests/small_scenes.h"
 
 #include <algorithm>
+#include <filesystem>
 
 using namespace plait;
 using namespace plait::test;
@@ -140,7 +141,7 @@ TEST_CASE("options come in any order", "[program]") {
     CHECK(contains(settings, "seconds=0.1\n"));
 }
 
-TEST_CASE("a frame rate looks more often and changes no substep", "[program]") {
+TEST_CASE("a frame rate looks more often and changes no substep", "[program][CA13]") {
     const TemporaryFolder folder;
     const auto settings = [&](const std::vector<std::string>& more) {
         std::vector<std::string> words{
@@ -151,8 +152,16 @@ TEST_CASE("a frame rate looks more often and changes no substep", "[program]") {
         CHECK(plait::test::plait(folder, words).status == 0);
         return contents(folder / "run/cache/settings.txt");
     };
+    const auto kept = [&] {  // but the start
+        long frames = -1;
+        for (const auto& file : std::filesystem::directory_iterator(folder / "run/cache"))
+            frames += file.path().extension() == ".frame";
+        return frames;
+    };
     CHECK(contains(settings({}), "substeps=40\n"));
+    CHECK(kept() == 2);
     CHECK(contains(settings({"--fps", "60"}), "substeps=16\n"));
+    CHECK(kept() == 6);
     CHECK(contains(settings({"--substeps", "7", "--fps", "60"}), "substeps=7\n"));
     CHECK(contains(settings({"--fps", "30000/1001"}), "fps=30000/1001\n"));
 }

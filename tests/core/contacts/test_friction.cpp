@@ -225,6 +225,23 @@ TEST_CASE("layers: the lower one yields less, by the shock, whatever the differe
     }
 }
 
+// However light what it carries, and however fast that comes.
+TEST_CASE("friction: a lower layer is not moved by a higher one where the shock is great",
+          "[contacts][friction][LY1]") {
+    for (const int higher : {1, 4}) {
+        World world;
+        Surface lower, upper;
+        upper.layer = higher;
+        lower.vertices = addPoint(world, {0, 0, 0}, 1e-3);
+        upper.vertices = addPoint(world, {0.1, 0, 0}, 1, {-1, 0, 0});
+        meet(world, {lower, upper}, {.layerShock = 1e12});
+        Solver<double> solver(world, meeting(10));
+        advance(solver, 12);
+        CHECK(report("speed that the lower one got, m/s", length(solver.velocities()[0]), 1e-8));
+        CHECK(report("and the higher one kept, m/s", std::fabs(solver.velocities()[1].x), 1e-8));
+    }
+}
+
 // Of Vellum: one factor for what meets its own surface, one for what meets others.
 TEST_CASE("friction: factors take it away among its own, or from others",
           "[contacts][friction][FR7]") {
