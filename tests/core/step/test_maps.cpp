@@ -142,7 +142,7 @@ TEST_CASE("maps: a rest shape that is displaced wrinkles the way the map says", 
         options.schedule = {.substeps = 10, .iterations = 20};
         options.damping = 0.1;
         Solver<double> solver(world, options);
-        for (int frame = 0; frame < 120; ++frame) solver.frame();
+        for (int frame = 0; frame < 180; ++frame) solver.frame();
         const Points x = solver.positions();
         const auto height = [&](const Points& at) {
             const Vec<double> middle = at[n * n / 2],
