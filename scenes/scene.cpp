@@ -170,6 +170,9 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
          .omissions = {"bending: a large flag of fine silk has next to none",
                        "the wake: the air acts on the flag and not the flag on the air",
                        "the air in two substeps of three: it takes a hundred to change a velocity"},
+         // With half of them its bands hold at 6 m/s, but not at 12, and in still air it wins back
+         // 0.8 % of the energy that it loses (tests/scenes/test_flag.cpp).
+         .essentials = {"substeps"},
          .demo = true,
          .knobs = {{.name = "wind",
                     .meaning = "its mean speed",

@@ -34,7 +34,7 @@ struct SceneEntry {
     std::vector<std::string> omissions;  // what it leaves out, and why
     // Parts of the world (sets, forces, options; "contacts", or "contacts: without friction")
     // without which it would be another scene: that no metric needs them is no reason to leave them
-    // out (plait ablate).
+    // out (plait ablate), or to have less of them (plait tune).
     std::vector<std::string> essentials = {};
     bool demo = false;  // rendered by demos/run without a name
     std::vector<Knob> knobs = {};

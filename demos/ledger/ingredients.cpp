@@ -192,7 +192,14 @@ std::vector<Ingredient> cheaperSettings(const Run& run) {
         for (std::size_t s = 0; s < sets.size(); ++s) addImportance(all, run, s, names[s], by);
     }
     addCosts(all, run);
+    std::erase_if(all, [&](const Ingredient& i) { return isEssential(i, run.entry->essentials); });
     return all;
+}
+
+bool isEssential(const Ingredient& ingredient, const std::vector<std::string>& essentials) {
+    return std::ranges::count(essentials, ingredient.part) +
+               std::ranges::count(essentials, ingredient.name()) >
+           0;
 }
 
 Run bySet(Run run) {

@@ -22,8 +22,11 @@ struct Ingredient {
 // In the order in which they can be taken together: what builds the scene anew comes first.
 std::vector<Ingredient> ingredientsOf(const Run& run);
 
+// Whether it, or all of its part, is among them (SceneEntry::essentials).
+bool isEssential(const Ingredient& ingredient, const std::vector<std::string>& essentials);
+
 // Those among them that are settings of the solver, once put to half of what they are and once to
-// three quarters: nothing of the scene is left out.
+// three quarters: nothing of the scene is left out. Not what it says is essential.
 std::vector<Ingredient> cheaperSettings(const Run& run);
 
 // The same run, whose sets are each evaluated as often as before by an importance of its own.

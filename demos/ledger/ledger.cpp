@@ -68,8 +68,7 @@ LedgerRow leaveOutTogether(const Ledger& ledger, const Trial& base, const Run& r
 Need needOf(const LedgerRow& row, const std::vector<std::string>& essentials) {
     if (std::ranges::any_of(row.changes, [](double change) { return change > 1; }))
         return Need::needed;
-    if (std::ranges::count(essentials, row.part) + std::ranges::count(essentials, row.name()) > 0)
-        return Need::essential;
+    if (isEssential({row.part, row.change, {}}, essentials)) return Need::essential;
     return row.work > freeOfCharge ? Need::needless : Need::spare;
 }
 
