@@ -30,6 +30,8 @@ class Constraint {
 public:
     virtual ~Constraint() = default;
 
+    // What it keeps past a substep, as a run begins.
+    virtual void furnish(Drawer<Real>&) const {}
     // A base step begins, from time t0 to t1 (s): what moves finds out from where to where.
     virtual void beginFrame(double /*t0*/, double /*t1*/) {}
     // A substep begins: multipliers to zero, moving targets to where they are at its end.
@@ -55,6 +57,9 @@ public:
     // The last word on positions, after all sweeps, in a world with contacts: in turns, contacts
     // last. Returns the counted work, 0 where nothing was moved.
     virtual long finish(const Sweep<Real>&, Workers&) { return 0; }
+    // A substep of h seconds is over, at time t: what the set keeps follows from where all has come
+    // to, and velocities and masses from that.
+    virtual void settle(State<Real>&, Drawer<Real>&, double /*t*/, double /*h*/) {}
     // Marks the vertices that a one-sided constraint pushed in this substep.
     virtual void markTouched(std::vector<std::uint8_t>& /*touched*/) const {}
 

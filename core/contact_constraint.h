@@ -20,8 +20,6 @@ struct Load {
 template <class Real>
 class ContactConstraint : public Constraint<Real> {
 public:
-    // What it keeps past a substep, as a run begins.
-    virtual void furnish(Drawer<Real>&) const {}
     // True: it asks where things were a substep earlier (State::last).
     virtual bool needsPast() const { return false; }
 

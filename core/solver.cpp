@@ -40,6 +40,8 @@ void Solver<Real>::substep(double from, double fraction) {
     update(second);  // v <- (x - x1) / h, or (3 x - 4 x1 + x2) / 2 h
     forContacts([&](auto& set, int s) { set.rebound(state_, drawerOf(s)); });
     dampRates();
+    for (std::size_t k = 0; k < sets_.size(); ++k)
+        sets_[k]->settle(state_, state_.kept[k], time() + h_, h_);
     state_.hasPast = true;
     ++state_.substep;
 }
@@ -98,6 +100,7 @@ Sweep<Real> Solver<Real>::sweepOf(int set) {
     sweep.particles = &state_.particles[0].x.x;
     sweep.air = state_.air();
     sweep.before = &state_.before[0].v.x;
+    sweep.kept = drawerOf(set).numbers.data();
     return sweep;
 }
 

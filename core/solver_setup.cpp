@@ -76,8 +76,14 @@ void Solver<Real>::letGo() {
     if (given_->releasesBy(by) == released_) return;
     released_ = given_->releasesBy(by);
     world_ = std::make_shared<const World>(given_->releasedBy(by));
-    for (std::size_t v = 0; v < world_->mass.size(); ++v)
-        state_.particles[v].w = world_->pinned[v] ? 0 : static_cast<Real>(1 / world_->mass[v]);
+    // Others keep theirs, which a set may have changed (Constraint::settle).
+    for (std::size_t v = 0; v < world_->mass.size(); ++v) {
+        Real& w = state_.particles[v].w;
+        if (world_->pinned[v])
+            w = 0;
+        else if (w == 0)
+            w = static_cast<Real>(1 / world_->mass[v]);
+    }
     setUpSets();
     setUpMethod();
 }
@@ -98,10 +104,8 @@ void Solver<Real>::setUpDrawers() {
     const bool bdf2 = options_.integrator == Integrator::bdf2;
     bool past = bdf2;
     state_.kept.resize(sets_.size() + forces_.size() + 1);
-    forContacts([&](const auto& set, int s) {
-        set.furnish(drawerOf(s));
-        past = past || set.needsPast();
-    });
+    for (std::size_t s = 0; s < sets_.size(); ++s) sets_[s]->furnish(state_.kept[s]);
+    forContacts([&](const auto& set, int) { past = past || set.needsPast(); });
     for (std::size_t f = 0; f < forces_.size(); ++f) {
         const int place = static_cast<int>(sets_.size() + f);
         if (forces_[f]->hasInertia()) {

@@ -17,6 +17,7 @@ struct Sweep {
     Real keep;        // 1: multipliers accumulate within the substep; 0: each evaluation anew
     Real strength;    // part of the correction that is applied, 0 to 1
     const Real* before = nullptr;  // 4 a vertex: d when the substep began
+    const Real* kept = nullptr;    // numbers of the set's drawer
 };
 
 // The constraints of one colour, in blocks: member m of constraint n of a block is at m * 16 + n.

@@ -1,12 +1,30 @@
 #include "membrane.h"
 
+#include "../measure/surfaces/geometry.h"
 #include "membrane_set.h"
 
+#include <span>
 #include <stdexcept>
 
 namespace plait {
+namespace {
 
-void holdMembrane(World& world, const Membrane& membrane, SetOptions options) {
+// The gas that is there when the hole opens, by the area of matter at rest.
+void ride(World& world, Membrane::Filling& filling) {
+    const LeakOptions& leak = filling.leak;
+    const std::span skin = std::span(filling.enclosure.triangles).first(filling.enclosure.skin);
+    const double amount = filling.amount ? filling.amount(leak.opens) : filling.gas.amount,
+                 mass = amount * leak.density / filling.gas.outside, whole = area(world.rest, skin);
+    filling.riding.assign(world.mass.size(), 0);
+    for (const auto& t : skin)
+        for (const int v : t)
+            filling.riding[v] += mass / 3 * area(world.rest, std::span(&t, 1)) / whole;
+    for (std::size_t v = 0; v < world.mass.size(); ++v) world.mass[v] += filling.riding[v];
+}
+
+}  // namespace
+
+void holdMembrane(World& world, Membrane membrane, SetOptions options) {
     const auto refuse = [&](const std::string& what) {
         throw std::invalid_argument(options.name + ": " + what);
     };
@@ -20,9 +38,13 @@ void holdMembrane(World& world, const Membrane& membrane, SetOptions options) {
         if (rubber.thickness.size() != 1 && rubber.thickness.size() != n)
             refuse("rubber has one thickness for all triangles, or one for each");
     }
-    for (const Membrane::Filling& filling : membrane.gases) {
+    for (Membrane::Filling& filling : membrane.gases) {
         if (!(volume(filling.enclosure, world.start) > 0))
             refuse("what a gas is in has no volume, or is inside out");
+        if (filling.leak.hole.empty()) continue;
+        if (filling.gas.law != GasLaw::isothermal || !(filling.gas.outside > 0))
+            refuse("what leaks is isothermal, and goes into a gas");
+        ride(world, filling);
     }
     const auto make = [membrane]<class Real>(const World& w,
                                              KernelChoice) -> std::unique_ptr<Constraint<Real>> {

@@ -8,6 +8,7 @@
 #include "../gas/enclosure.h"
 #include "../gas/gas.h"
 #include "../world.h"
+#include "leak.h"
 #include "rubber.h"
 
 #include <functional>
@@ -27,6 +28,9 @@ struct Membrane {
         Enclosure enclosure;
         Gas gas;
         std::function<double(double t)> amount{};  // J, n R T at t (s); none: the gas's own
+        LeakOptions leak{};                        // from when it opens on, `amount` counts no more
+        std::vector<double> riding =
+            {};  // kg of gas that leaks, by vertex; holdMembrane() fills it
     };
 
     Rows<Stretch> springs;  // compliances above 0
@@ -37,8 +41,10 @@ struct Membrane {
     double tolerance = 1e-10;  // of the residual, at which they stop
 };
 
-// Throws std::invalid_argument, naming the set, for vertices that are not there, triangles without
-// area or thickness, springs without compliance, and gas whose volume is not above 0.
-void holdMembrane(World& world, const Membrane& membrane, SetOptions options);
+// The mass of gas that will leak is added to World::mass. Throws std::invalid_argument, naming the
+// set, for vertices that are not there, triangles without area or thickness, springs without
+// compliance, gas whose volume is not above 0, and a leak of a gas that is not isothermal or into a
+// vacuum.
+void holdMembrane(World& world, Membrane membrane, SetOptions options);
 
 }  // namespace plait

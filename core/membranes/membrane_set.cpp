@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace plait {
 namespace {
@@ -37,10 +38,13 @@ MembraneSet<Real>::MembraneSet(const World& world, const Membrane& membrane)
         }
     }
     for (const Membrane::Filling& filling : membrane.gases) {
-        Enclosed gas{{}, {}, {}, filling.gas, filling.amount, 0, 0, 0, {}};
+        Enclosed gas{{}, {}, {}, filling.gas, filling.amount, 0, 0, 0, 0, {}, {}};
         gas.from = gas.to = gas.gas.amount;
         for (const auto& t : filling.enclosure.triangles)
             gas.triangles.push_back({local(t[0]), local(t[1]), local(t[2])});
+        if (!filling.leak.hole.empty())
+            gas.leak.emplace(filling.leak, filling.gas, filling.enclosure.triangles, filling.riding,
+                             world.mass);
         gases_.push_back(std::move(gas));
     }
     const std::size_t n = ids_.size();
@@ -106,6 +110,30 @@ void MembraneSet<Real>::findIslands() {
     }
 }
 
+// Each gas that leaks, with what is kept of it.
+template <class Real>
+template <class Numbers, class Visit>
+void MembraneSet<Real>::forLeaks(Numbers* kept, const Visit& visit) {
+    for (Enclosed& gas : gases_)
+        if (gas.leak) visit(gas, std::exchange(kept, kept + Leak::numbers));
+}
+
+template <class Real>
+void MembraneSet<Real>::furnish(Drawer<Real>& kept) const {
+    for (const Enclosed& gas : gases_) {
+        if (!gas.leak) continue;
+        kept.numbers.resize(kept.numbers.size() + Leak::numbers);
+        gas.leak->furnish(kept.numbers.data() + kept.numbers.size() - Leak::numbers);
+    }
+}
+
+template <class Real>
+void MembraneSet<Real>::settle(State<Real>& state, Drawer<Real>& kept, double t, double h) {
+    forLeaks(kept.numbers.data(), [&](Enclosed& gas, Real* numbers) {
+        gas.leak->settle(state, numbers, gas.given, t, h);
+    });
+}
+
 template <class Real>
 void MembraneSet<Real>::beginFrame(double t0, double t1) {
     for (Enclosed& gas : gases_)
@@ -119,12 +147,14 @@ template <class Real>
 void MembraneSet<Real>::begin(const Substep& substep, Workers&) {
     std::ranges::fill(kept_, Four{});
     for (Enclosed& gas : gases_)
-        gas.gas.amount = gas.from + substep.frameFraction * (gas.to - gas.from);
+        gas.gas.amount = gas.given = gas.from + substep.frameFraction * (gas.to - gas.from);
 }
 
 template <class Real>
 void MembraneSet<Real>::project(const Sweep<Real>& sweep, Direction, Workers& workers) {
     if (ids_.empty()) return;
+    forLeaks(sweep.kept,
+             [](Enclosed& gas, const Real* numbers) { gas.gas.amount = Leak::left(numbers); });
     gather(sweep, workers);
     evaluate(workers);
     system_->assemble(inertia_, springBlocks_, patchBlocks_, workers);

@@ -6,6 +6,7 @@
 #include "membrane_system.h"
 
 #include <memory>
+#include <optional>
 
 namespace plait {
 
@@ -18,9 +19,11 @@ class MembraneSet : public Constraint<Real> {
 public:
     MembraneSet(const World& world, const Membrane& membrane);
 
+    void furnish(Drawer<Real>& kept) const override;
     void beginFrame(double t0, double t1) override;
     void begin(const Substep& substep, Workers& workers) override;
     void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override;
+    void settle(State<Real>& state, Drawer<Real>& kept, double t, double h) override;
     long size() const override {
         return static_cast<long>(springs_.size() + patches_.size()) * (1 + iterations_ / 4);
     }
@@ -41,10 +44,14 @@ private:
         Gas gas;
         std::function<double(double)> amount;
         double from = 0, to = 0;  // J, at the ends of the base step
+        double given = 0;         // J, at the end of the substep
         double volume = 0;
         std::vector<Four> gradient;
+        std::optional<Leak> leak;  // what is left of it is in the drawer
     };
 
+    template <class Numbers, class Visit>
+    void forLeaks(Numbers* kept, const Visit& visit);
     int local(int vertex);
     void gather(const Sweep<Real>& sweep, Workers& workers);
     void evaluate(Workers& workers);

@@ -173,7 +173,9 @@ MetricTolerance tuneToleranceOf(const Metric& metric, std::size_t column, const 
                                 const std::vector<Trial>& twins, double tolerance) {
     if (metric.low == 0 && metric.high > 0 && std::isfinite(metric.high))
         return {{0, 0, 0}, {metric.high, metric.high, metric.high}};
-    return toleranceOf(metric, column, converged, twins, tolerance);
+    Metric any = metric;
+    if (metric.low < metric.high) any.low = -infinity, any.high = infinity;
+    return toleranceOf(any, column, converged, twins, tolerance);
 }
 
 std::pair<double, std::size_t> furthest(const Trial& trial, const std::vector<Metric>& metrics,

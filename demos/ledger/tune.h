@@ -45,8 +45,9 @@ struct Tuning {
 // by itself.
 Tuning tune(const Run& run, const LedgerOptions& options, const std::filesystem::path& folder);
 
-// Where a band goes from 0 to a bound, the metric is of an error, of which all in the band is as
-// good as none; others may differ as toleranceOf() says.
+// The part `tolerance` of what a metric goes through or comes to, and never less than twice what
+// chance changes. But where a band goes from 0 to a bound, the metric is of an error, of which all
+// in the band is as good as none; and where it has no width, nothing may change.
 MetricTolerance tuneToleranceOf(const Metric& metric, std::size_t column, const Trial& converged,
                                 const std::vector<Trial>& twins, double tolerance);
 

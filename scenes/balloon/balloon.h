@@ -8,6 +8,9 @@ namespace plait {
 // A party balloon: limp, blown up, tied and dropped.
 Scene balloon(const Knobs& knobs);
 
+// One that is blown up and let go, its neck open.
+Scene letGo(const Knobs& knobs);
+
 // Two of them, joined by a tube.
 Scene twoBalloons(const Knobs& knobs);
 

@@ -41,16 +41,9 @@ Profile profileOf(const PartyBalloon& balloon) {
     return profile;
 }
 
-}  // namespace
-
-double PartyBalloon::pressure(double stretch) const {
-    const PrincipalEnergy e = rubber.at(stretch, stretch);
-    return wall * (e.a + e.b) / (radius * stretch * stretch);
-}
-
-// A sphere of equal triangles, its vertices where as much area of the profile lies below them.
-Range addBalloon(World& world, const PartyBalloon& balloon, int subdivisions,
-                 const Vec<double>& top) {
+// A sphere of equal triangles, its vertices where as much area of the profile lies below them; the
+// end of the neck at the origin, all else below.
+Shape shapeOf(const PartyBalloon& balloon, int subdivisions) {
     const Profile profile = profileOf(balloon);
     std::vector<double> below{0};
     for (std::size_t i = 1; i < profile.size(); ++i) {
@@ -68,10 +61,62 @@ Range addBalloon(World& world, const PartyBalloon& balloon, int subdivisions,
         const double r = profile[next - 1][0] + s * (profile[next][0] - profile[next - 1][0]),
                      y = profile[next - 1][1] + s * (profile[next][1] - profile[next - 1][1]),
                      across = std::sqrt(x.x * x.x + x.z * x.z);
-        x = top + (across > 0 ? Vec<double>{r * x.x / across, -y, r * x.z / across}
-                              : Vec<double>{0, -y, 0});
+        x = across > 0 ? Vec<double>{r * x.x / across, -y, r * x.z / across}
+                       : Vec<double>{0, -y, 0};
     }
+    return shape;
+}
+
+}  // namespace
+
+double PartyBalloon::pressure(double stretch) const {
+    const PrincipalEnergy e = rubber.at(stretch, stretch);
+    return wall * (e.a + e.b) / (radius * stretch * stretch);
+}
+
+Range addBalloon(World& world, const PartyBalloon& balloon, int subdivisions,
+                 const Vec<double>& top) {
+    Shape shape = shapeOf(balloon, subdivisions);
+    for (Vec<double>& x : shape.positions) x += top;
     return world.add(shape, {.density = balloon.density * balloon.wall});
+}
+
+// Cut off where the half ball ends that closes the neck.
+OpenBalloon addOpenBalloon(World& world, const PartyBalloon& balloon, int subdivisions,
+                           const Vec<double>& mouth, const Vec<double>& out) {
+    const Shape whole = shapeOf(balloon, subdivisions);
+    const double cut = balloon.neck;
+    std::vector<int> place(whole.positions.size(), -1);
+    OpenBalloon open;
+    std::vector<Vec<double>> positions;
+    for (std::size_t v = 0; v < place.size(); ++v) {
+        if (-whole.positions[v].y < cut) continue;
+        place[v] = static_cast<int>(positions.size());
+        positions.push_back(whole.positions[v]);
+    }
+    Simplices kept;
+    for (int t = 0; t < whole.complex.count(2); ++t) {
+        const auto [a, b, c] = whole.complex.triangle(t);
+        const std::array<int, 3> at{place[a], place[b], place[c]};
+        if (std::ranges::min(at) >= 0) kept.triangles.push_back(at);
+    }
+    Shape shape{SimplicialComplex(static_cast<int>(positions.size()), kept), positions};
+    for (const int e : shape.complex.boundary(1))
+        for (const int v : shape.complex.edge(e)) {
+            Vec<double>& x = shape.positions[v];
+            const double part = balloon.neck / std::hypot(x.x, x.z);
+            x = {part * x.x, -cut, part * x.z};
+        }
+    const Vec<double> side = std::fabs(out.x) < 0.9 ? Vec<double>{1, 0, 0} : Vec<double>{0, 0, 1};
+    Vec<double> across = cross(side, out);
+    across = (1 / length(across)) * across;
+    const Vec<double> third = cross(out, across);
+    for (Vec<double>& x : shape.positions) {
+        open.depths.push_back(-cut - x.y);
+        x = mouth + x.x * third + (x.y + cut) * out + x.z * across;
+    }
+    open.skin = world.add(shape, {.density = balloon.density * balloon.wall});
+    return open;
 }
 
 double amountFor(const PartyBalloon& balloon, double rest, double stretch) {

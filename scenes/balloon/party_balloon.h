@@ -23,6 +23,14 @@ struct PartyBalloon {
 Range addBalloon(World& world, const PartyBalloon& balloon, int subdivisions,
                  const Vec<double>& top);
 
+// The same with its neck open, the middle of the rim at `mouth`, its way out along `out` (unit).
+struct OpenBalloon {
+    Range skin;
+    std::vector<double> depths;  // m, of each vertex below the rim, along the axis
+};
+OpenBalloon addOpenBalloon(World& world, const PartyBalloon& balloon, int subdivisions,
+                           const Vec<double>& mouth, const Vec<double>& out);
+
 // J: n R T of the gas in it, stretched so many times, where `rest` is its volume (m^3) at rest.
 double amountFor(const PartyBalloon& balloon, double rest, double stretch);
 

@@ -157,7 +157,7 @@ Scene levitation(const Knobs& knobs) {
     world.letGo(held, letGoAt);
 
     // Frames that a film can show ten times slower than they were.
-    scene.options.schedule = {.substeps = 5, .frameRate = {240, 1}, .iterations = 1};
+    scene.options.schedule = {.substeps = 10, .frameRate = {240, 1}, .iterations = 1};
     // A blow on a stack of turns must reach its other end: with no sweeps of contacts of their own
     // it is pressed to a quarter of its length as it closes.
     scene.options.schedule.collisionPasses = 60;
