@@ -5,6 +5,7 @@
 #include "demos/bench/core.h"
 #include "demos/bench/detection.h"
 #include "demos/bench/drape.h"
+#include "demos/bench/pile.h"
 #include "demos/bench/rods.h"
 #include "demos/bench/scene.h"
 #include "demos/bench/sheet.h"
@@ -17,9 +18,10 @@ namespace {
 
 int bench(const Arguments& arguments) {
     const std::string what = arguments.operands.empty() ? "core" : arguments.operands[0];
-    std::vector<std::string> names{"core",      "air",   "ccd",   "broadphase",
-                                   "detection", "sheet", "drape", "rods"};
-    for (const SceneEntry& entry : scenes()) names.push_back(entry.name);
+    std::vector<std::string> names{"core",  "air",   "ccd",  "broadphase", "detection",
+                                   "sheet", "drape", "rods", "pile"};
+    for (const SceneEntry& entry : scenes())
+        if (entry.name != "pile") names.push_back(entry.name);
     switch (parseChoice("bench", what, names)) {
         case 0:
             return benchCore();
@@ -37,6 +39,8 @@ int bench(const Arguments& arguments) {
             return benchDrape(requestedThreads(arguments));
         case 7:
             return benchRods();
+        case 8:
+            return benchPile(requestedThreads(arguments));
         default:
             return benchScene(what, requestedThreads(arguments));
     }
@@ -47,11 +51,11 @@ int bench(const Arguments& arguments) {
 Command benchCommand() {
     return {
         .name = "bench",
-        .operands = {"[core|air|ccd|broadphase|detection|sheet|drape|rods|SCENE]"},
+        .operands = {"[core|air|ccd|broadphase|detection|sheet|drape|rods|pile|SCENE]"},
         .meaning =
             "prints speeds: of a constraint, of the air, of collision queries, of the broad "
             "phase, of looking for contacts, of sheets that do not stretch, of one that falls on a "
-            "ball, of rods, or of a scene from numbers to film",
+            "ball, of rods, of a heap of shards, or of a scene from numbers to film",
         .options = {threadsOption()},
         .examples = {"bench core", "bench hanging-sheet"},
         .run = bench};

@@ -16,6 +16,7 @@ Scene layeredSheets(const Knobs&);
 Scene medley(const Knobs&);
 Scene pendulum(const Knobs&);
 Scene pile(const Knobs&);
+Scene stacks(const Knobs&);
 Scene sampler(const Knobs&);
 Scene sheetOnSphere(const Knobs&);
 Scene softPins(const Knobs&);

@@ -224,3 +224,23 @@ TEST_CASE("bodies of particles keep their shape as they are thrown and slide",
         CHECK(report(std::string(name) + ", distances in a body, off", worst, 1e-4));
     }
 }
+
+TEST_CASE("stacks: a wall and a pyramid of balls stand while nothing rolls into them",
+          "[contacts][pieces][scenes][FX24]") {
+    constexpr double side = 0.06;  // m, of a brick
+    const Scene scene = sceneWith("stacks", "speed", 0);
+    Solver<float> solver(scene.world, scene.options);
+    for (int frame = 0; frame < 12; ++frame) solver.frame();  // balls come to lie on their faces
+    const Points began = solver.positions();
+    for (int frame = 0; frame < 36; ++frame) solver.frame();
+    const Points ended = solver.positions();
+    for (int look = 0; look < 2; ++look) {
+        double most = 0;
+        const Range object = scene.view.looks[look].object;
+        for (int v = object.first; v < object.last; ++v)
+            most = std::max(most, length(ended[v] - began[v]));
+        CHECK(report(look == 0 ? "a wall, drift in 1.5 s, in sides"
+                               : "a pyramid of balls, drift in 1.5 s, in sides",
+                     most / side, 0.02));
+    }
+}

@@ -230,9 +230,31 @@ void PieceContacts<Real>::conclude(const Sweep<Real>&, Workers&) {
                            shapes_[p].radius * PoseWay(leant_[p], pose).angle();
         if (way > least) struck_[touches_.leader(p)] = 1;
     }
+    spreadStruck();
     memory_.note(touches_, h_, moves_);
     if (sleep_) joinIslands();
     if (bouncy_ && ready_ && !gaveUp_) bounce();
+}
+
+// To all that press each other: where one of two took the first-order velocity alone, what they
+// gave each other would not be the same.
+template <class Real>
+void PieceContacts<Real>::spreadStruck() {
+    const auto spread = [&](const TouchedPair& pair) {
+        const int first = touches_.leader(pair.first), second = touches_.leader(pair.second);
+        if (struck_[first] == struck_[second] || !touches_.yields(first) ||
+            !touches_.yields(second) ||
+            (!pair.leant && std::ranges::none_of(touches_.of(pair), [](const TouchedPoint& p) {
+                return p.push != 0;
+            })))
+            return false;
+        struck_[first] = struck_[second] = 1;
+        return true;
+    };
+    for (bool more = true; more;) {
+        more = false;
+        for (const TouchedPair& pair : touches_.pairs) more |= spread(pair);
+    }
 }
 
 // The first-order velocity, and a past that continues it: BDF2 would make half a bounce of what

@@ -120,6 +120,7 @@ private:
     void gatherBodies();
     void gatherPairs();
     void bounce();
+    void spreadStruck();
     void leave(State<Real>& state, int piece) const;
     void leaveAll(State<Real>& state) const;
 

@@ -12,6 +12,8 @@ namespace {
 // by what they have left, and what begins with all of that swings up: of five boxes at 240/s and 8
 // palindromes some jump at 0.2 m/s with 0.9, rest with 0.5 to 0.7, and creep with 0.3.
 constexpr double kept = 0.7;
+// Part of what has slipped that is taken back in a substep.
+constexpr double returned = 0.2;
 constexpr std::size_t numbersEach = 16, integersEach = 2;
 
 Vec<double> across(const Vec<double>& normal, const Vec<double>& a) {
@@ -95,18 +97,19 @@ void TouchMemory::lean(const Known& known, Touches& touches, const TouchedPair& 
         p.grip = each * grip + spin * cross(n, lever(p) - middle);
         const double most = pair.friction.standing * p.push, much = length(p.grip);
         if (much > most) p.grip = (most / much) * p.grip;
-        p.rest -= recovered * (known.slip + cross(known.twist, lever(p) - known.at));
+        p.rest -= returned * (known.slip + cross(known.twist, lever(p) - known.at));
     }
     touches.move(pair, [&](const TouchedPoint& p) { return p.push * n + p.grip; });
 }
 
 void TouchMemory::recall(Touches& touches, std::span<const Pose> start, double h) const {
     auto known = known_.begin();
-    for (const TouchedPair& pair : touches.pairs) {
+    for (TouchedPair& pair : touches.pairs) {
         while (known != known_.end() && keyOf(*known) < keyOf(pair)) ++known;
         if (known == known_.end()) return;
-        if (keyOf(*known) == keyOf(pair))
-            lean(*known, touches, pair, start[pair.first], start[pair.second], h);
+        if (keyOf(*known) != keyOf(pair)) continue;
+        lean(*known, touches, pair, start[pair.first], start[pair.second], h);
+        pair.leant = true;
     }
 }
 
@@ -142,7 +145,7 @@ TouchMemory::Known TouchMemory::knownOf(const Touches& touches, const TouchedPai
     known.lasting = std::min(1.0, divide(was, length(known.force)));
     double stuck = 0;
     for (const TouchedPoint& p : touches.of(pair)) stuck += p.slides ? 0 : p.push / weight;
-    const double left = stuck * (1 - recovered);
+    const double left = stuck * (1 - returned);
     known.slip += left * (old->slip + cross(old->twist, known.at - old->at));
     known.twist += left * old->twist;
     return known;

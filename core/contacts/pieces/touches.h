@@ -17,10 +17,6 @@
 
 namespace plait {
 
-// Part of what is too near, or has slipped from where it stuck, that is taken back in a substep:
-// all of it at once would leave with that speed.
-inline constexpr double recovered = 0.2;
-
 // Two points that stay apart.
 struct TouchedPoint {
     Vec<double> first, second;  // m, on either piece, as it is at rest about its centre
@@ -50,6 +46,7 @@ struct TouchedPair {
     double restitution;
     int from = 0, to = 0;  // its points
     int color = 0;
+    bool leant = false;    // it began with what it was pressed by
     Vec<double> across{};  // the normal as it is about which sweeps are linear
     double stirred = 0;    // m, by both when it was last visited
 };

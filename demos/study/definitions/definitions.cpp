@@ -137,7 +137,7 @@ const std::vector<Study>& studies() {
                                         stripStudy(),      sheetStudy(32),  sheetStudy(64),
                                         sheetStep(128),    sheetStep(256),  sheetStrain(128),
                                         sheetStrain(256),  flagStudy(),     sphereStudy(),
-                                        dressStudy()};
+                                        dressStudy(),      pileStudy()};
     return all;
 }
 

@@ -1,4 +1,4 @@
-// What definitions of studies are put together from, and the studies of curves and cloth.
+// What definitions of studies are put together from, and the studies of curves, cloth and pieces.
 #pragma once
 
 #include "demos/study/study.h"
@@ -40,5 +40,6 @@ Study sheetStep(int n);    // against the converged solution of one step
 Study flagStudy();
 Study sphereStudy();
 Study dressStudy();
+Study pileStudy();
 
 }  // namespace plait

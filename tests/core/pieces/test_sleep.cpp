@@ -21,18 +21,18 @@ SolverOptions everySubstep(int rate, int threads = 1) {
     return every;
 }
 
-int addBox(Pile& pile, double x, double y, const Vec<double>& velocity = {}) {
+int addBox(Pile& pile, double x, double y, const Vec<double>& velocity = {}, double z = 0) {
     return pile.add(box({side, side, side}),
-                    {.density = 1000, .shift = {x, y, 0}, .velocity = velocity}, thick, 0.5);
+                    {.density = 1000, .shift = {x, y, z}, .velocity = velocity}, thick, 0.5);
 }
 
 double heightOf(int level) { return side / 2 + 2 * thick + level * (side + 2 * thick); }
 
 // Three boxes on each other, and one that slides along the floor to them from x (m).
-Pile towerAnd(double x, double speed, const SleepOptions& sleep) {
+Pile towerAnd(double x, double speed, const SleepOptions& sleep, double z = 0) {
     Pile pile;
     for (int i = 0; i < 3; ++i) addBox(pile, 0, heightOf(i));
-    addBox(pile, x, heightOf(0), {speed, 0, 0});
+    addBox(pile, x, heightOf(0), {speed, 0, 0}, z);
     pile.floor(thick, 0.5);
     pile.meet({0, -g, 0}, 0.5, sleep);
     return pile;
@@ -104,8 +104,9 @@ TEST_CASE("sleep: an island wakes when it is touched, and goes as if it had not 
     constexpr SleepOptions soon{.speed = 0.02, .delay = 0.25};
     std::array<std::vector<Vec<double>>, 2> ends;
     for (const bool on : {false, true}) {
-        // It needs more than the delay to get there.
-        const Pile pile = towerAnd(-2, 5, on ? soon : SleepOptions{});
+        // It needs more than the delay to get there, and strikes off the middle: face to face at 5
+        // m/s the tower turns one way or the other, and a start 1 mm farther moves it by 14 mm.
+        const Pile pile = towerAnd(-2, 4.5, on ? soon : SleepOptions{}, 0.03);
         Solver<double> solver(pile.world, everySubstep(480));
         bool slept = false, woke = false;
         for (int i = 0; i < 3 * 480; ++i) {
@@ -123,7 +124,7 @@ TEST_CASE("sleep: an island wakes when it is touched, and goes as if it had not 
     }
     // In the substep in which it wakes nothing has weight, nor friction by it.
     for (int p = 0; p < 4; ++p)
-        CHECK(report("awake or asleep before, m", length(ends[0][p] - ends[1][p]), 4e-3));
+        CHECK(report("awake or asleep before, m", length(ends[0][p] - ends[1][p]), 3e-3));
 }
 
 TEST_CASE("sleep: what lies on something that moves away wakes and falls", "[pieces][SL3]") {
