@@ -14,10 +14,10 @@ std::string stateOf(const Seeds& seeds, const std::string& id) {
 
 std::string wordTable(const Site& site, const std::string& seed) {
     std::string html =
-        "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Words of " + seed +
-        "\"><table class=\"words\"><caption>Words of " + seed +
-        "</caption><thead><tr><th scope=\"col\">there</th><th scope=\"col\">here</th>"
-        "<th scope=\"col\">row of the seeds</th></tr></thead><tbody>\n";
+        "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Table of the words of " +
+        seed + "\"><table class=\"words\"><caption>Words of " + seed +
+        "</caption><thead><tr><th scope=\"col\">word</th><th scope=\"col\">what it is here</th>"
+        "<th scope=\"col\">rows of the seeds</th></tr></thead><tbody>\n";
     for (const SeedWord& word : seedWords()) {
         if (word.seed != seed) continue;
         std::string rows;

@@ -77,11 +77,10 @@ std::string frameBar(const SceneFacts& facts, const Places& places, int y) {
         for (int n = 1; n < facts.substeps; ++n)
             svg += "<path class=\"tick\" d=\"M" + numberOf(nameWidth + width * n / facts.substeps) +
                    " " + numberOf(y) + "v16\"></path>\n";
-    return svg +
-           svgText(nameWidth, y + 36,
-                   numberOf(facts.substeps) + (facts.substeps == 1 ? " substep" : " substeps") +
-                       ", of which " + numberOf(drawn) + (drawn == 1 ? " is drawn" : " are drawn"),
-                   "note");
+    std::string words = numberOf(facts.substeps) + (facts.substeps == 1 ? " substep" : " substeps");
+    if (drawn < facts.substeps)
+        words += ", of which " + numberOf(drawn) + (drawn == 1 ? " is drawn" : " are drawn");
+    return svg + svgText(nameWidth, y + 36, words, "note");
 }
 
 }  // namespace

@@ -62,15 +62,31 @@ std::string Leftovers::clip(const std::string& scene) const {
     return copied(runs_ / scene / "clip.mp4", scene + ".mp4");
 }
 
-std::string Leftovers::picture(const std::string& scene) const {
+std::string Leftovers::middlePicture(const Path& run, const std::string& name) const {
     std::vector<Path> frames;
-    const Path folder = runs_ / scene / "frames";
-    if (fs::is_directory(folder))
-        for (const auto& entry : fs::directory_iterator(folder))
+    if (fs::is_directory(run / "frames"))
+        for (const auto& entry : fs::directory_iterator(run / "frames"))
             if (entry.path().extension() == ".png") frames.push_back(entry.path());
+    if (frames.empty()) return "";
     std::ranges::sort(frames);
-    if (!frames.empty()) return copied(frames[frames.size() / 2], scene + ".png");
-    return copied(golden_ / "pictures" / scene / "state.png", scene + ".png");
+    return copied(frames[frames.size() / 2], name);
+}
+
+std::string Leftovers::picture(const std::string& scene) const {
+    const std::string made = middlePicture(runs_ / scene, scene + ".png");
+    return made.empty() ? copied(golden_ / "pictures" / scene / "state.png", scene + ".png") : made;
+}
+
+std::string Leftovers::knobClip(const std::string& scene, const std::string& knob,
+                                const std::string& value) const {
+    return copied(runs_ / "knobs" / scene / (knob + "=" + value) / "clip.mp4",
+                  scene + "-" + knob + "-" + value + ".mp4");
+}
+
+std::string Leftovers::knobPicture(const std::string& scene, const std::string& knob,
+                                   const std::string& value) const {
+    return middlePicture(runs_ / "knobs" / scene / (knob + "=" + value),
+                         scene + "-" + knob + "-" + value + ".png");
 }
 
 Settings Leftovers::settings(const std::string& scene) const {

@@ -32,6 +32,11 @@ public:
     std::string clip(const std::string& scene) const;
     std::string picture(const std::string& scene) const;  // golden where there was no run
     Settings settings(const std::string& scene) const;    // empty: there was no run
+    // Of a knob at a value (films.h): a clip, and a picture out of its middle; "" for none.
+    std::string knobClip(const std::string& scene, const std::string& knob,
+                         const std::string& value) const;
+    std::string knobPicture(const std::string& scene, const std::string& knob,
+                            const std::string& value) const;
     // Rows of metrics.csv; none where there was no run or it measured something else.
     std::vector<MetricRow> measured(const std::string& scene,
                                     const std::vector<Metric>& metrics) const;
@@ -46,6 +51,8 @@ public:
     std::string mapChart(const StabilityMap& map) const;
 
 private:
+    std::string middlePicture(const Path& run, const std::string& name) const;
+
     Path runs_, golden_, site_;
 };
 

@@ -142,7 +142,7 @@ SitePage scenePage(Site& site, const SceneFacts& scene) {
                   .room = "scenes",
                   .body = {}};
     page.body = headOf(site, scene) + scheduleSection(scene) + equationSection(scene) +
-                knobSection(scene) + metricSection(site, scene) + ledgerSection(site, scene) +
+                knobSection(site, scene) + metricSection(site, scene) + ledgerSection(site, scene) +
                 studySection(site, scene) + failureSection(site, scene) + testSection(site, scene) +
                 omissionSection(scene) + sourceSection(site, scene) + commandSection(scene);
     return page;

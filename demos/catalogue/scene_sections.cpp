@@ -1,10 +1,11 @@
 // Sections of a scene's page: knobs, metrics, needs, charts, tests, sources, commands.
 #include "demos/tools/words.h"
+#include "films.h"
 #include "site.h"
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 
 namespace plait {
 namespace {
@@ -28,21 +29,69 @@ std::string bandWords(const Metric& metric) {
     return "shown, not held";
 }
 
-// What the maps say, that these scenes or their ingredients are seen to fail on.
-std::vector<const StabilityMap*> mapsOf(const SceneFacts& scene) {
-    std::set<std::string> names;
+// Maps that are drawn with what is a scene here; they have worlds of their own, like the scene's.
+const std::multimap<std::string, std::string> mapsOfScenes{{"bullet", "speed-thickness"},
+                                                           {"chain", "mass-ratio"},
+                                                           {"chain", "stiffness-ratio"},
+                                                           {"chain", "chain-length"},
+                                                           {"chain", "rotation"},
+                                                           {"hanging-sheet", "resolution"},
+                                                           {"hanging-sheet", "bdf2-sweeps"},
+                                                           {"heavy-rod", "rod-segments"},
+                                                           {"layered-sheets", "layers-passes"},
+                                                           {"slinky", "stairs"},
+                                                           {"unit-spring", "step-stiffness"}};
+
+// Those of the scene; else the one that says most of what it is made of.
+std::vector<std::string> mapsShown(const SceneFacts& scene) {
+    std::vector<std::string> maps;
+    const auto [from, to] = mapsOfScenes.equal_range(scene.entry->name);
+    for (auto at = from; at != to; ++at) maps.push_back(at->second);
     for (const Topic* topic : scene.topics())
-        if (topic->sort == TopicSort::constraint)
-            for (const std::string& map : topic->maps) names.insert(map);
-    std::vector<const StabilityMap*> maps;
-    for (const StabilityMap& map : stabilityMaps())
-        if (names.contains(map.name)) maps.push_back(&map);
+        if (maps.empty() && topic->sort == TopicSort::constraint && topic->name != "stretch" &&
+            !topic->maps.empty())
+            maps.push_back(topic->maps.front());
     return maps;
+}
+
+// Where the pages of its ingredients show how these fail.
+std::vector<std::string> otherMaps(const SceneFacts& scene, const std::vector<std::string>& shown) {
+    std::vector<std::string> links;
+    for (const Topic* topic : scene.topics())
+        for (const std::string& map : topic->maps)
+            if (std::ranges::count(shown, map) == 0)
+                links.push_back(
+                    linkTo("../" + folderOf(topic->sort) + "/" + topic->name + ".html#failures",
+                           topic->title + ": " + stabilityMapNamed(map).title));
+    return links;
 }
 
 }  // namespace
 
-std::string knobSection(const SceneFacts& scene) {
+namespace {
+
+// Clips of a knob side by side, or "" where none was filmed.
+std::string knobClips(const Site& site, const SceneFacts& scene, const Knob& knob) {
+    const std::string& name = scene.entry->name;
+    std::string html;
+    for (const std::string& value : shownValues(knob)) {
+        const std::string clip = site.left.knobClip(name, knob.name, value);
+        if (clip.empty()) continue;
+        const std::string words =
+            knob.name + " " + value + (knob.unit.empty() ? "" : " " + knob.unit);
+        const std::string own = knob.isNumber() ? text(knob.value) : knob.text;
+        html += "<figure>" +
+                clipOf("../" + clip, "../" + site.left.knobPicture(name, knob.name, value),
+                       scene.entry->title + " with " + words) +
+                "<figcaption>" + escaped(words) + (value == own ? ", as it is by itself" : "") +
+                "</figcaption></figure>\n";
+    }
+    return html.empty() ? "" : "<div class=\"beside\">\n" + html + "</div>\n";
+}
+
+}  // namespace
+
+std::string knobSection(const Site& site, const SceneFacts& scene) {
     std::vector<std::vector<std::string>> rows;
     for (const Knob& knob : scene.entry->knobs) {
         std::string range = knob.isFile() ? "a file" : escaped(joined(knob.choices));
@@ -60,13 +109,19 @@ std::string knobSection(const SceneFacts& scene) {
             "the length of a step:</p>" +
                 commandLine("build/plait run " + scene.entry->name + " -q " + scene.quality +
                             " --substeps " + std::to_string(std::max(1, scene.substeps / 2))));
+    std::string clips;
+    for (const Knob& knob : scene.entry->knobs) clips += knobClips(site, scene, knob);
+    if (clips.empty() && !std::ranges::all_of(scene.entry->knobs, &Knob::isFile))
+        clips = missing(
+            "Nobody has filmed its knobs at other values yet.",
+            "build/plait catalogue --film --only " + scene.entry->name + " -q " + scene.quality);
     const Knob& first = scene.entry->knobs.front();
     const std::string other = first.isNumber() ? text(first.high)
                               : first.isFile() ? "FILE"
                                                : first.choices.back();
     return sectionOf(
         "knobs", "What you can turn",
-        tableOf("Knobs", {"knob", "what it is", "by itself", "may be"}, rows) +
+        tableOf("Knobs", {"knob", "what it is", "by itself", "may be"}, rows) + clips +
             "<p>Turn one like this:</p>" +
             commandLine("build/plait run " + scene.entry->name + " -q " + scene.quality +
                         " --set " + shellWord(first.name + "=" + other)));
@@ -158,19 +213,23 @@ std::string studySection(const Site& site, const SceneFacts& scene) {
 }
 
 std::string failureSection(const Site& site, const SceneFacts& scene) {
+    const std::vector<std::string> shown = mapsShown(scene);
     std::string html;
-    for (const StabilityMap* map : mapsOf(scene)) {
-        const std::string chart = site.left.mapChart(*map),
-                          ask = "build/plait stability " + map->name;
-        html += "<h3>" + escaped(map->title) + "</h3><p>" + escaped(map->words) + "</p>";
-        html += chart.empty() ? missing("This map has not been drawn here.", ask)
-                              : "<img class=\"chart\" src=\"../" + chart + "\" alt=\"" +
-                                    escaped("Where methods hold and fail: " + map->title) + "\">" +
-                                    commandLine(ask);
-    }
+    for (const std::string& name : shown) html += mapFigure(site, stabilityMapNamed(name));
+    if (const std::vector<std::string> others = otherMaps(scene, shown); !others.empty())
+        html += "<h3>Its ingredients and its method, each by itself</h3>" + listOf(others);
     if (html.empty()) return "";
     return sectionOf("failures", "Where it fails",
                      "<p>What this scene is made of, taken to where it breaks.</p>" + html);
+}
+
+std::string mapFigure(const Site& site, const StabilityMap& map) {
+    const std::string chart = site.left.mapChart(map), ask = "build/plait stability " + map.name;
+    return "<h3>" + escaped(map.title) + "</h3><p>" + escaped(map.words) + "</p>" +
+           (chart.empty() ? missing("This map has not been drawn here.", ask)
+                          : "<img class=\"chart\" src=\"../" + chart + "\" alt=\"" +
+                                escaped("Where methods hold and fail: " + map.title) +
+                                "\" loading=\"lazy\">" + commandLine(ask));
 }
 
 std::string testSection(Site& site, const SceneFacts& scene) {

@@ -4,6 +4,7 @@
 #include "demos/tools/files.h"
 #include "demos/tools/interrupt.h"
 #include "demos/tools/progress.h"
+#include "films.h"
 
 #include <algorithm>
 #include <set>
@@ -30,6 +31,16 @@ void joinScenes(SitePage& page, const Site& site, std::size_t i) {
     };
     if (i > 0) page.previous = pathOf(i - 1);
     page.next = i + 1 < site.scenes.size() ? pathOf(i + 1) : "index.html";
+}
+
+std::vector<Film> filmsAsked(const SiteOptions& options) {
+    std::vector<Film> films;
+    for (const SceneEntry& entry : scenes())
+        if (options.only.empty() || options.only == entry.name)
+            for (Film& film : filmsOf(entry, options.quality)) films.push_back(std::move(film));
+    // Clips of scenes first, as they are what one misses most.
+    std::ranges::stable_partition(films, [](const Film& film) { return film.knob.empty(); });
+    return films;
 }
 
 void writeTopics(Site& site) {
@@ -86,6 +97,7 @@ fs::path makeSite(const SiteOptions& options) {
     if (!options.only.empty()) sceneNamed(options.only);
     makeFolder(options.out);
     const FolderLock lock(options.out);
+    if (options.film) makeFilms(filmsAsked(options), options.runs, options.threads, options.quiet);
     Site site(options);
     const int count = static_cast<int>(scenes().size());
     Progress progress("catalogue", 0, 2 * count + 1, options.quiet, "pages");

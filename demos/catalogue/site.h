@@ -17,6 +17,8 @@ struct SiteOptions {
     std::filesystem::path out = "out/catalogue", runs = "out", sources = ".";
     std::string quality = "draft";  // of schedules, bands and sizes
     std::string only = "";          // a scene: the rest of the site stays as it is
+    bool film = false;              // what nobody has filmed yet, at that quality
+    int threads = 1;
     bool quiet = false;
 };
 
@@ -57,7 +59,7 @@ SitePage sourcePage(const Site& site, const std::string& file);
 // Parts of the page of a scene, each a section.
 std::string scheduleSection(const SceneFacts& scene);
 std::string equationSection(const SceneFacts& scene);
-std::string knobSection(const SceneFacts& scene);
+std::string knobSection(const Site& site, const SceneFacts& scene);
 std::string metricSection(const Site& site, const SceneFacts& scene);
 std::string ledgerSection(const Site& site, const SceneFacts& scene);
 std::string studySection(const Site& site, const SceneFacts& scene);
@@ -68,6 +70,9 @@ std::string commandSection(const SceneFacts& scene);
 
 // A clip that loops without sound, or its picture; what it shows in words. Paths from the page.
 std::string clipOf(const std::string& clip, const std::string& picture, const std::string& words);
+
+// A map with its words and its command, for pages in a folder.
+std::string mapFigure(const Site& site, const StabilityMap& map);
 
 // The style and the script of the site (assets/).
 extern const char* const catalogueStyle;

@@ -54,15 +54,7 @@ std::string heldRows(Site& site, const Topic& topic) {
 
 std::string mapsOfTopic(const Site& site, const Topic& topic) {
     std::string html;
-    for (const std::string& name : topic.maps) {
-        const StabilityMap& map = stabilityMapNamed(name);
-        const std::string chart = site.left.mapChart(map), ask = "build/plait stability " + name;
-        html += "<h3>" + escaped(map.title) + "</h3><p>" + escaped(map.words) + "</p>" +
-                (chart.empty() ? missing("This map has not been drawn here.", ask)
-                               : "<img class=\"chart\" src=\"../" + chart + "\" alt=\"" +
-                                     escaped("Where methods hold and fail: " + map.title) + "\">" +
-                                     commandLine(ask));
-    }
+    for (const std::string& name : topic.maps) html += mapFigure(site, stabilityMapNamed(name));
     return html.empty() ? "" : sectionOf("failures", "Where it fails", html);
 }
 

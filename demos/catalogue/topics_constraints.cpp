@@ -113,8 +113,8 @@ std::vector<Topic> constraintTopics() {  // NOLINT(readability-function-size): a
          .header = "core/constraints/contact.h",
          .lesson = "A point stays outside of a rod with round ends, as a peg or a limb.",
          .equations =
-             {{R"(C(\b{x}) = \|\b{x} - \b{q}\| - r - d \ge 0, \quad \b{q} = \b{a} + \min(1, \max(0, s)) (\b{b} - \b{a}))",
-               R"($\b{q}$ is the point of the axis from $\b{a}$ to $\b{b}$ that is nearest to $\b{x}$; $s$ is where along the axis that would be if it were endless.)"}},
+             {{R"(C(\b{x}) = \|\b{x} - \b{q}\| - r - d \ge 0, \quad \b{q} = \b{a} + s (\b{b} - \b{a}))",
+               R"($\b{q}$ is the point of the axis from $\b{a}$ to $\b{b}$ that is nearest to $\b{x}$; $s$, from 0 to 1, is where along the axis it lies.)"}},
          .rows = {"CC1"}},
         {.sort = sort,
          .name = "volume",

@@ -167,5 +167,9 @@ addEventListener('keydown', event => {
 
 watchClips();
 all('form.filter').forEach(filter);
-if (location.hash === '#lecture') lecture.begin();
-if (location.hash === '#lecture-end') lecture.begin(-1);
+const lectureByAddress = () => {
+    if (location.hash === '#lecture') lecture.begin();
+    if (location.hash === '#lecture-end') lecture.begin(-1);
+};
+addEventListener('hashchange', lectureByAddress);
+lectureByAddress();
