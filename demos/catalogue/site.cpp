@@ -33,14 +33,15 @@ void joinScenes(SitePage& page, const Site& site, std::size_t i) {
     page.next = i + 1 < site.scenes.size() ? pathOf(i + 1) : "index.html";
 }
 
+// Clips of scenes first: they are what one misses most.
 std::vector<Film> filmsAsked(const SiteOptions& options) {
-    std::vector<Film> films;
+    std::vector<Film> clips, knobs;
     for (const SceneEntry& entry : scenes())
         if (options.only.empty() || options.only == entry.name)
-            for (Film& film : filmsOf(entry, options.quality)) films.push_back(std::move(film));
-    // Clips of scenes first, as they are what one misses most.
-    std::ranges::stable_partition(films, [](const Film& film) { return film.knob.empty(); });
-    return films;
+            for (Film& film : filmsOf(entry, options.quality))
+                (film.knob.empty() ? clips : knobs).push_back(std::move(film));
+    for (Film& film : knobs) clips.push_back(std::move(film));
+    return clips;
 }
 
 void writeTopics(Site& site) {

@@ -1,6 +1,7 @@
 // The effects catalogue as files: whole, well-formed, linked both ways, and made from what is
 // there.
 #include "demos/catalogue/facts.h"
+#include "demos/catalogue/films.h"
 #include "demos/catalogue/formula.h"
 #include "demos/catalogue/words.h"
 #include "scenes/scene.h"
@@ -227,6 +228,50 @@ TEST_CASE("catalogue: a clip, its measures and its settings come from the run th
     CHECK(contains(page, "Simulated at draft quality"));
     CHECK(contains(page, "<td>holds</td>"));
     CHECK_FALSE(fs::exists(folder / "site/scenes/flag.html"));
+}
+
+TEST_CASE("catalogue: a knob is shown at its own value and to either side, within its range",
+          "[effects-catalogue]") {
+    const Knob speed{.name = "speed", .meaning = "", .value = 10, .low = 5, .high = 12};
+    CHECK(shownValues(speed) == std::vector<std::string>{"8", "10", "11"});
+    CHECK(shownValues({.name = "", .meaning = "", .value = 0, .low = 0, .high = 8}) ==
+          std::vector<std::string>{"0", "4", "8"});
+    CHECK(shownValues({.name = "", .meaning = "", .value = 32, .low = 4, .high = 512}) ==
+          std::vector<std::string>{"18", "32", "64"});  // not the 272 of half way
+    for (const SceneEntry& entry : scenes())
+        for (const Knob& knob : entry.knobs) {
+            INFO(entry.name << ", " << knob.name);
+            const std::vector<std::string> values = shownValues(knob);
+            CHECK(values.size() == std::set(values.begin(), values.end()).size());
+            CHECK(values.size() <= 3);
+            if (knob.isFile()) CHECK(values.empty());
+            if (!knob.isNumber()) continue;
+            CHECK(values.size() >= 2);
+            CHECK(std::ranges::any_of(
+                values, [&](const std::string& v) { return std::stod(v) == knob.value; }));
+            for (const std::string& value : values) {
+                CHECK(std::stod(value) >= knob.low);
+                CHECK(std::stod(value) <= knob.high);
+            }
+        }
+}
+
+TEST_CASE("catalogue: it films what nobody has filmed, once", "[effects-catalogue][long]") {
+    const TemporaryFolder folder;
+    const std::vector<std::string> film{"--film", "--only", "pendulum", "--threads", "1"};
+    const Outcome made = makeCatalogue(folder, film);
+    INFO(made.err);
+    REQUIRE(made.status == 0);
+    const std::string page = contents(folder / "site/scenes/pendulum.html");
+    for (const char* value : {"0.55", "1", "2"})
+        CHECK(contains(page, "pendulum-length-" + std::string(value) + ".mp4"));
+    CHECK_FALSE(contains(page, "Nobody has filmed"));
+    const fs::path clip = folder / "runs/knobs/pendulum/length=2/clip.mp4";
+    const auto before = fs::last_write_time(clip);
+    fs::remove(folder / "runs/pendulum/clip.mp4");  // as of a run that was stopped
+    REQUIRE(makeCatalogue(folder, film).status == 0);
+    CHECK(fs::last_write_time(clip) == before);
+    CHECK(fs::exists(folder / "runs/pendulum/clip.mp4"));
 }
 
 TEST_CASE("catalogue: what it cannot be made from is told in a line", "[effects-catalogue]") {
