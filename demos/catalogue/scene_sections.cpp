@@ -110,10 +110,17 @@ std::string knobSection(const Site& site, const SceneFacts& scene) {
                 commandLine("build/plait run " + scene.entry->name + " -q " + scene.quality +
                             " --substeps " + std::to_string(std::max(1, scene.substeps / 2))));
     std::string clips;
-    for (const Knob& knob : scene.entry->knobs) clips += knobClips(site, scene, knob);
-    if (clips.empty() && !std::ranges::all_of(scene.entry->knobs, &Knob::isFile))
-        clips = missing(
-            "Nobody has filmed its knobs at other values yet.",
+    bool all = true;
+    for (const Knob& knob : scene.entry->knobs) {
+        clips += knobClips(site, scene, knob);
+        all = all && std::ranges::none_of(shownValues(knob), [&](const std::string& value) {
+                  return site.left.knobClip(scene.entry->name, knob.name, value).empty();
+              });
+    }
+    if (!all)
+        clips += missing(
+            clips.empty() ? "Nobody has filmed its knobs at other values yet."
+                          : "Not all values of its knobs are filmed yet.",
             "build/plait catalogue --film --only " + scene.entry->name + " -q " + scene.quality);
     const Knob& first = scene.entry->knobs.front();
     const std::string other = first.isNumber() ? text(first.high)
