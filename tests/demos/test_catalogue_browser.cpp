@@ -86,6 +86,7 @@ Browser& theBrowser() {
 
 bool noBrowser() {
     if (Browser::isHere()) return false;
+    SUCCEED();  // a test without any assertion fails
     WARN("skipped: chromium and chromedriver are not here (apt install chromium chromium-driver)");
     return true;
 }
@@ -253,6 +254,7 @@ TEST_CASE("catalogue in a browser: on paper there is what it says, and nothing t
 TEST_CASE("catalogue in a browser: axe-core finds nothing", "[effects-catalogue][browser]") {
     const char* const axe = std::getenv("PLAIT_AXE");
     if (!axe) {
+        SUCCEED();
         WARN("skipped: PLAIT_AXE names no axe.min.js");
         return;
     }
