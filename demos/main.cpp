@@ -22,7 +22,7 @@ int runCommandLine(const std::vector<std::string>& words) {
     const std::vector<Command> commands{listCommand(),   describeCommand(),  runCommand(),
                                         renderCommand(), checkCommand(),     compareCommand(),
                                         benchCommand(),  stabilityCommand(), studyCommand(),
-                                        ablateCommand(), tuneCommand()};
+                                        ablateCommand(), tuneCommand(),      catalogueCommand()};
     const auto isHelp = [](const std::string& word) { return word == "--help" || word == "-h"; };
     if (words.empty() || isHelp(words[0]) || (words[0] == "help" && words.size() == 1)) {
         std::printf("%s", helpOf(commands).c_str());

@@ -16,6 +16,7 @@ Command ablateCommand();
 Command tuneCommand();
 Command stabilityCommand();
 Command studyCommand();
+Command catalogueCommand();
 
 // Version, compiler, kernels and Mesa of this program here, a line each.
 std::string versionText();
