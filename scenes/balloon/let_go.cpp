@@ -98,7 +98,7 @@ Scene letGo(const Knobs& knobs) {
         selfIntersections(world, balloon.skin, {0, 0}),
         lowestHeight({0, 5}),
         contactFailures()};
-    scene.view = viewOf({balloon.skin}, {0.35, 0.62, 0}, 1.5, Material::latex, {0.35, 0.15, 2.4});
+    scene.view = viewOf({balloon.skin}, {0.4, 0.6, 0}, 1.3, Material::latex, {0.35, 0.15, 2.4});
     scene.view.groundHeight = 0;
     scene.view.groundSize = 2.5;
     scene.view.takes = {
