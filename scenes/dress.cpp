@@ -115,18 +115,6 @@ std::vector<int> taut(const std::vector<int>& links, Range cloth, const Layer& l
     return list;
 }
 
-// The diagonals of a layer's cells, two vertices each.
-std::vector<int> diagonals(const World& world, Range cloth, const Layer& layer) {
-    std::vector<int> list;
-    const std::vector<int> edges = edgeStencils(world.complex, cloth);
-    for (std::size_t i = 0; i < edges.size(); i += 2) {
-        const int a = edges[i] - cloth.first, b = edges[i + 1] - cloth.first;
-        if (a / layer.threads != b / layer.threads && a % layer.threads != b % layer.threads)
-            list.insert(list.end(), {edges[i], edges[i + 1]});
-    }
-    return list;
-}
-
 // Adds a layer, sewn on. Returns its vertices.
 Range addLayer(World& world, const Wearer& wearer, const Layer& layer) {
     const Seam seam(wearer.surface, wearer.waist, layer.clearance, layer.length / 3, layer.threads);
@@ -189,7 +177,7 @@ Scene dress(const Knobs& knobs) {
     const Range body = addBody(world, wearer), skirt{outside.first, inside.last};
     world.act<Gravity>(GravityOptions{});
     actAir(world, {.density = 1.2, .drag = 1.2, .tangentialDrag = 0.1, .interval = 2});
-    std::vector<int> links, tautLinks, bias;
+    std::vector<int> links, tautLinks;
     for (const auto& [cloth, layer, name] :
          {std::tuple{outside, silk, "silk "}, {inside, tulle, "tulle "}}) {
         const std::vector<int> woven =
@@ -197,8 +185,6 @@ Scene dress(const Knobs& knobs) {
         const std::vector<int> straight = taut(woven, cloth, layer);
         links.insert(links.end(), woven.begin(), woven.end());
         tautLinks.insert(tautLinks.end(), straight.begin(), straight.end());
-        const std::vector<int> across = diagonals(world, cloth, layer);
-        bias.insert(bias.end(), across.begin(), across.end());
     }
     // Less than what is between vertices at the waist: threads that gather would push each other
     // away.

@@ -118,8 +118,10 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
          .lesson = "Cloth that never passes through itself or the dancer, however she whirls",
          .ingredients = {"stretch", "shear", "bend", "contact", "friction", "gravity", "air"},
          .omissions = {"gusts: the air is that of a hall"},
-         // Threads want mending late in the dance, which the ledger's half second does not see.
-         .essentials = {"silk mending", "contacts: without edges with edges of its own"},
+         // Threads want mending late in the dance, which the ledger's half second does not see; how
+         // cells shear, no metric does; and what its lesson says.
+         .essentials = {"silk mending", "silk bias", "tulle bias",
+                        "contacts: without edges with edges of its own"},
          .demo = true,
          .knobs = {{.name = "body",
                     .meaning =

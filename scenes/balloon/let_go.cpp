@@ -17,7 +17,6 @@
 namespace plait {
 namespace {
 
-constexpr double air = 101325;             // Pa
 constexpr double blown = 1.4, held = 0.3;  // s, that the hand takes to blow it up, and holds it
 constexpr double seconds = 2.5;
 constexpr double pinch = 0.024;              // m of neck between the fingers

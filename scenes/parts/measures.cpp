@@ -83,12 +83,6 @@ Metric folds(const World& world, Range range, Band band) {
     });
 }
 
-Metric sheared(const World& world, const std::vector<int>& diagonals, Band band) {
-    const auto strain = strainOf(world, diagonals);
-    return metricOf("sheared", "%", band,
-                    [=](const Snapshot& at) { return 100 * strain(at).mean; });
-}
-
 Metric selfIntersections(const World& world, Range range, Band band) {
     const auto inside = [&](int v) { return v >= range.first && v < range.last; };
     std::vector<std::array<int, 2>> edges;

@@ -27,10 +27,6 @@ Metric commonStrain(const World& world, Range range, Band band);
 // it is made, in the mean.
 Metric folds(const World& world, Range range, Band band);
 
-// In %: how much longer or shorter than at rest these diagonals of cells are, two vertices each, in
-// the mean.
-Metric sheared(const World& world, const std::vector<int>& diagonals, Band band);
-
 // Pairs of an edge, of a sheet or a curve, and a triangle of `range` that go through each other.
 Metric selfIntersections(const World& world, Range range, Band band);
 
