@@ -116,7 +116,7 @@ TEST_CASE("tunings: demos have the cheapest settings that keep what is converged
 }
 
 TEST_CASE("tunings: those that are cheap, tried anew", "[ledger][long]") {
-    for (const std::string& scene : {"flag", "glass"}) checkCheapest(scene);
+    for (const char* scene : {"flag", "glass"}) checkCheapest(scene);
 }
 
 TEST_CASE("tunings: one that no longer is of its scene is found out", "[ledger]") {
