@@ -14,8 +14,8 @@ std::string stateOf(const Seeds& seeds, const std::string& id) {
 
 std::string wordTable(const Site& site, const std::string& seed) {
     std::string html =
-        "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Table of the words of " +
-        seed + "\"><table class=\"words\"><caption>Words of " + seed +
+        R"(<div class="wide" tabindex="0" role="region" aria-label="Table of the words of )" +
+        seed + R"("><table class="words"><caption>Words of )" + seed +
         "</caption><thead><tr><th scope=\"col\">word</th><th scope=\"col\">what it is here</th>"
         "<th scope=\"col\">rows of the seeds</th></tr></thead><tbody>\n";
     for (const SeedWord& word : seedWords()) {
@@ -25,7 +25,7 @@ std::string wordTable(const Site& site, const std::string& seed) {
             rows += "<li>" + linkTo("#" + id, id) + " " + escaped(site.seeds.row(id)->words) +
                     ", " + stateOf(site.seeds, id) + "</li>";
         html += "<tr id=\"" + anchorOf(word) + "\" data-words=\"" +
-                escaped(word.word + " " + word.here) + "\"><th scope=\"row\">" +
+                escaped(word.word + " " + word.here) + R"("><th scope="row">)" +
                 escaped(word.word) + "</th><td>" + escaped(word.here) + "</td><td><ul>" + rows +
                 "</ul></td></tr>\n";
     }

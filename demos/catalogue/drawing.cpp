@@ -54,7 +54,7 @@ std::string rowsOf(const SceneFacts& facts, const std::vector<std::string>& link
     for (std::size_t s = 0; s < facts.sets.size(); ++s) {
         const SetFacts& set = facts.sets[s];
         const int y = top + rowHeight * static_cast<int>(s);
-        svg += "<path class=\"rule\" d=\"M0 " + numberOf(y + rowHeight) + "H" +
+        svg += R"(<path class="rule" d="M0 )" + numberOf(y + rowHeight) + "H" +
                numberOf(places.right) + "\"></path>\n";
         const std::string name = svgText(0, y + 20, set.name, "set");
         svg += links[s].empty() ? name : "<a href=\"" + escaped(links[s]) + "\">" + name + "</a>\n";
@@ -75,7 +75,7 @@ std::string frameBar(const SceneFacts& facts, const Places& places, int y) {
     svg += svgRectangle(nameWidth, y, std::max(3, width * drawn / facts.substeps), 16, "drawn");
     if (facts.substeps * 4 <= width)
         for (int n = 1; n < facts.substeps; ++n)
-            svg += "<path class=\"tick\" d=\"M" + numberOf(nameWidth + width * n / facts.substeps) +
+            svg += R"(<path class="tick" d="M)" + numberOf(nameWidth + width * n / facts.substeps) +
                    " " + numberOf(y) + "v16\"></path>\n";
     std::string words = numberOf(facts.substeps) + (facts.substeps == 1 ? " substep" : " substeps");
     if (drawn < facts.substeps)
@@ -109,23 +109,23 @@ std::string scheduleDrawing(const SceneFacts& facts, const std::vector<std::stri
     const Places places = placesOf(facts);
     const int bottom = top + rowHeight * static_cast<int>(facts.sets.size()) + 22;
     const int width = std::max(places.right, nameWidth + 330), height = bottom + 44;
-    std::string svg = "<svg class=\"schedule\" width=\"" + numberOf(width) + "\" height=\"" +
+    std::string svg = R"(<svg class="schedule" width=")" + numberOf(width) + "\" height=\"" +
                       numberOf(height) + "\" viewBox=\"0 0 " + numberOf(width) + " " +
-                      numberOf(height) + "\" role=\"group\" aria-label=\"" +
+                      numberOf(height) + R"(" role="group" aria-label=")" +
                       escaped("Schedule of " + facts.entry->title) + "\">\n";
     svg += svgText(0, 44, facts.palindrome ? "down, then up ↓↑" : "down ↓", "note");
     svg += svgText(0, 18, "substep", "note");
     for (std::size_t g = 0; g < places.starts.size(); ++g) {
         svg += svgText(places.starts[g] + 2, 18, numberOf(static_cast<int>(g) + 1), "note");
-        svg += "<path class=\"bracket\" d=\"M" + numberOf(places.starts[g]) + " 30v-5H" +
+        svg += R"(<path class="bracket" d="M)" + numberOf(places.starts[g]) + " 30v-5H" +
                numberOf(
                    (g + 1 < places.starts.size() ? places.starts[g + 1] - groupGap : places.right) -
                    2) +
                "v5\"></path>\n";
     }
     svg += rowsOf(facts, links, places) + frameBar(facts, places, bottom);
-    return "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"schedule, drawn\">" +
-           svg + "</svg></div>\n";
+    return R"(<div class="wide" tabindex="0" role="region" aria-label="schedule, drawn">)" + svg +
+           "</svg></div>\n";
 }
 
 }  // namespace plait

@@ -60,7 +60,7 @@ private:
     // An atom with what stands below and above it.
     std::string scripted() {
         const std::size_t from = at_;
-        const std::string base = atom();
+        std::string base = atom();
         const std::string word = tex_.substr(from, at_ - from);
         const bool limits = word.starts_with("\\sum") || word.starts_with("\\prod") ||
                             word.starts_with("\\min") || word.starts_with("\\argmin") ||
@@ -95,7 +95,7 @@ private:
         }
         if (std::isalpha(static_cast<unsigned char>(c)))
             return "<mi>" + std::string(1, c) + "</mi>";
-        if (c == '|') return "<mo stretchy=\"false\" form=\"prefix\">|</mo>";
+        if (c == '|') return R"(<mo stretchy="false" form="prefix">|</mo>)";
         if (c == '-') return "<mo>−</mo>";
         if (c == '\'') return "<mo>′</mo>";
         if (c == '(' || c == ')') return parenthesis(c);

@@ -68,7 +68,7 @@ std::string cardOf(const Site& site, const SceneFacts& scene) {
     for (const std::string& word : entry.ingredients) words += " " + word;
     for (const std::string& word : scene.effects) words += " " + word;
     const std::string clip = site.left.clip(entry.name), picture = site.left.picture(entry.name);
-    return "<li class=\"card slide\" data-words=\"" + escaped(words) + "\" data-effect=\"" +
+    return R"(<li class="card slide" data-words=")" + escaped(words) + "\" data-effect=\"" +
            joinedSlugs(scene.effects) + "\" data-constraint=\"" + joinedSlugs(constraints) +
            "\" data-method=\"" + joinedSlugs(methodsOf(scene)) + "\" data-seeds=\"" +
            joinedSlugs(site.sectionsOf(scene)) + "\">\n" + clipOf(clip, picture, entry.title) +

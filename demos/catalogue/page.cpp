@@ -21,8 +21,8 @@ std::string navigation(const SitePage& page, const std::string& root) {
         items += "<li><a href=\"" + root + item.path + "\"" +
                  (page.room == item.room ? " aria-current=\"true\"" : "") + ">" + item.words +
                  "</a></li>";
-    return "<header class=\"top\"><a class=\"name\" href=\"" + root +
-           "index.html\">Plait</a><nav aria-label=\"Catalogue\"><ul>" + items +
+    return R"(<header class="top"><a class="name" href=")" + root +
+           R"(index.html">Plait</a><nav aria-label="Catalogue"><ul>)" + items +
            "</ul></nav></header>\n";
 }
 
@@ -57,7 +57,7 @@ std::string htmlOf(const SitePage& page) {
 }
 
 std::string sectionOf(const std::string& id, const std::string& heading, const std::string& html) {
-    return "<section id=\"" + id + "\" class=\"slide\" aria-labelledby=\"" + id +
+    return "<section id=\"" + id + R"(" class="slide" aria-labelledby=")" + id +
            "-heading\">\n<h2 id=\"" + id + "-heading\">" + escaped(heading) + "</h2>\n" + html +
            "</section>\n";
 }
@@ -67,8 +67,8 @@ std::string linkTo(const std::string& href, const std::string& words) {
 }
 
 std::string commandLine(const std::string& command) {
-    return "<pre class=\"command\" tabindex=\"0\" aria-label=\"command\"><code>" +
-           escaped(command) + "</code></pre>\n";
+    return R"(<pre class="command" tabindex="0" aria-label="command"><code>)" + escaped(command) +
+           "</code></pre>\n";
 }
 
 std::string missing(const std::string& what, const std::string& command) {
@@ -78,7 +78,7 @@ std::string missing(const std::string& what, const std::string& command) {
 
 std::string tableOf(const std::string& caption, const std::vector<std::string>& header,
                     const std::vector<std::vector<std::string>>& rows) {
-    std::string html = "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" +
+    std::string html = R"(<div class="wide" tabindex="0" role="region" aria-label=")" +
                        escaped(caption) + "\"><table><caption>" + escaped(caption) +
                        "</caption><thead><tr>";
     for (const std::string& word : header) html += "<th scope=\"col\">" + escaped(word) + "</th>";

@@ -72,9 +72,9 @@ std::string omissionSection(const SceneFacts& scene) {
 std::string clipOf(const std::string& clip, const std::string& picture, const std::string& words) {
     if (clip.empty() && picture.empty()) return "<div class=\"clip none\"></div>\n";
     if (clip.empty())
-        return "<img class=\"clip\" src=\"" + escaped(picture) + "\" alt=\"" + escaped(words) +
+        return R"(<img class="clip" src=")" + escaped(picture) + "\" alt=\"" + escaped(words) +
                "\" width=\"480\" height=\"270\">\n";
-    return "<video class=\"clip\" src=\"" + escaped(clip) + "\"" +
+    return R"(<video class="clip" src=")" + escaped(clip) + "\"" +
            (picture.empty() ? std::string() : " poster=\"" + escaped(picture) + "\"") +
            " aria-label=\"" + escaped(words) +
            "\" width=\"480\" height=\"270\" muted loop playsinline controls preload=\"metadata\" "
@@ -106,16 +106,15 @@ std::string scheduleSection(const SceneFacts& scene) {
         ")</li>\n</ol>\n<p>A substep takes these four steps. " + escaped(scheduleWords(scene)) +
         "</p>\n" + scheduleDrawing(scene, links);
     std::vector<std::vector<std::string>> rows;
-    for (std::size_t s = 0; s < scene.sets.size(); ++s) {
+    for (const auto& set : scene.sets) {
         std::string kinds;
-        for (const Topic* topic : scene.sets[s].topics)
+        for (const Topic* topic : set.topics)
             kinds += (kinds.empty() ? "" : ", ") +
                      linkTo(std::string(up) + "constraints/" + topic->name + ".html", topic->title);
-        rows.push_back({escaped(scene.sets[s].name), kinds,
-                        std::to_string(scene.sets[s].evaluations),
-                        scene.sets[s].constraints > 0
-                            ? std::to_string(scene.sets[s].constraints)
-                            : (scene.sets[s].contact ? "as many as meet" : "as many as need it")});
+        rows.push_back({escaped(set.name), kinds, std::to_string(set.evaluations),
+                        set.constraints > 0
+                            ? std::to_string(set.constraints)
+                            : (set.contact ? "as many as meet" : "as many as need it")});
     }
     html += tableOf("Sets of constraints at " + scene.quality,
                     {"set", "what it is", "evaluations a substep", "constraints"}, rows);

@@ -190,7 +190,7 @@ std::string ledgerSection(const Site& site, const SceneFacts& scene) {
         "more than its tolerance; needless if it costs more than 2 % of the counted work and moves "
         "nothing.</p>";
     if (!chart.empty())
-        html += "<img class=\"chart\" src=\"../" + chart +
+        html += R"(<img class="chart" src="../)" + chart +
                 "\" alt=\"What each ingredient saves and "
                 "what it moves\">";
     html += tableOf(
@@ -208,7 +208,7 @@ std::string studySection(const Site& site, const SceneFacts& scene) {
         html += "<h3>" + escaped(study.title) + "</h3>";
         html += chart.empty()
                     ? missing("This study has not been run here.", ask)
-                    : "<img class=\"chart\" src=\"../" + chart + "\" alt=\"" +
+                    : R"(<img class="chart" src="../)" + chart + "\" alt=\"" +
                           escaped("Error against time: " + study.title) + "\">" + commandLine(ask);
     }
     if (html.empty()) return "";
@@ -234,9 +234,9 @@ std::string mapFigure(const Site& site, const StabilityMap& map) {
     const std::string chart = site.left.mapChart(map), ask = "build/plait stability " + map.name;
     return "<h3>" + escaped(map.title) + "</h3><p>" + escaped(map.words) + "</p>" +
            (chart.empty() ? missing("This map has not been drawn here.", ask)
-                          : "<img class=\"chart\" src=\"../" + chart + "\" alt=\"" +
+                          : R"(<img class="chart" src="../)" + chart + "\" alt=\"" +
                                 escaped("Where methods hold and fail: " + map.title) +
-                                "\" loading=\"lazy\">" + commandLine(ask));
+                                R"(" loading="lazy">)" + commandLine(ask));
 }
 
 std::string testSection(Site& site, const SceneFacts& scene) {

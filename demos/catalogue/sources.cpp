@@ -75,13 +75,12 @@ std::string Sources::link(const std::string& file, int line) {
 }
 
 std::string Sources::listing(const std::string& file) const {
-    std::string html =
-        "<pre class=\"listing\" tabindex=\"0\" aria-label=\"" + escaped(file) + "\">";
+    std::string html = R"(<pre class="listing" tabindex="0" aria-label=")" + escaped(file) + "\">";
     int number = 0;
     for (const std::string& line : lines(file)) {
         const std::string n = std::to_string(++number);
         const std::size_t comment = line.find("//");
-        html += "<span class=\"line\" id=\"L" + n + "\"><a href=\"#L" + n + "\">" + n + "</a>" +
+        html += R"(<span class="line" id="L)" + n + "\"><a href=\"#L" + n + "\">" + n + "</a>" +
                 (comment == std::string::npos ? escaped(line)
                                               : escaped(line.substr(0, comment)) + "<i>" +
                                                     escaped(line.substr(comment)) + "</i>") +

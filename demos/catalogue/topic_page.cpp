@@ -20,13 +20,12 @@ std::string cardsOf(const Site& site, const std::vector<const SceneFacts*>& scen
     std::string html = "<ul class=\"cards\">\n";
     for (const SceneFacts* scene : scenes) {
         const std::string picture = site.left.picture(scene->entry->name);
-        html +=
-            "<li><a href=\"../scenes/" + scene->entry->name + ".html\">" +
-            (picture.empty() ? std::string("<span class=\"clip none\"></span>")
-                             : "<img class=\"clip\" src=\"../" + picture +
-                                   "\" alt=\"\" width=\"480\" height=\"270\" loading=\"lazy\">") +
-            "<b>" + escaped(scene->entry->title) + "</b></a><p>" + escaped(scene->entry->lesson) +
-            ".</p></li>\n";
+        html += "<li><a href=\"../scenes/" + scene->entry->name + ".html\">" +
+                (picture.empty() ? std::string("<span class=\"clip none\"></span>")
+                                 : R"(<img class="clip" src="../)" + picture +
+                                       R"(" alt="" width="480" height="270" loading="lazy">)") +
+                "<b>" + escaped(scene->entry->title) + "</b></a><p>" +
+                escaped(scene->entry->lesson) + ".</p></li>\n";
     }
     return html + "</ul>\n";
 }
@@ -87,11 +86,10 @@ SitePage topicPage(Site& site, const Topic& topic) {
     for (const Equation& equation : topic.equations)
         formulas += "<figure class=\"formula\">" + mathMl(equation.tex) + "<figcaption>" +
                     withFormulas(equation.words) + "</figcaption></figure>\n";
-    page.body =
-        "<section class=\"slide\" id=\"lesson\" aria-labelledby=\"title\"><p class=\"sort\">" +
-        sortWord(topic.sort) + "</p>\n<h1 id=\"title\">" + escaped(topic.title) +
-        "</h1>\n<p class=\"lesson\">" + escaped(topic.lesson) + "</p>\n" + formulas +
-        "</section>\n";
+    page.body = R"(<section class="slide" id="lesson" aria-labelledby="title"><p class="sort">)" +
+                sortWord(topic.sort) + "</p>\n<h1 id=\"title\">" + escaped(topic.title) +
+                "</h1>\n<p class=\"lesson\">" + escaped(topic.lesson) + "</p>\n" + formulas +
+                "</section>\n";
     const std::vector<const SceneFacts*> with = site.scenesWith(topic);
     page.body += sectionOf(
         "scenes", with.empty() ? "Scenes" : "Scenes that it has a part in",

@@ -31,13 +31,47 @@ Metric middleOf(const std::string& name, Range skin, double Vec<double>::* along
             }};
 }
 
+// Rubber and gas; thicker by `uneven`, in parts of the mean, on the side of `upper` (unit).
+void blowUp(World& world, const PartyBalloon& party, const Enclosure& enclosure,
+            const Vec<double>& middle, const Vec<double>& upper, double stretch, double uneven,
+            const Vec<double>& gravity) {
+    Membrane membrane;
+    membrane.rubber.push_back({{}, {}, party.rubber});
+    for (const auto& t : std::span(enclosure.triangles).first(enclosure.skin)) {
+        membrane.rubber[0].triangles.insert(membrane.rubber[0].triangles.end(), t.begin(), t.end());
+        const Vec<double> at =
+            1.0 / 3 * (world.rest[t[0]] + world.rest[t[1]] + world.rest[t[2]]) - middle;
+        membrane.rubber[0].thickness.push_back(party.wall *
+                                               (1 + uneven * dot(at, upper) / party.radius));
+    }
+    const auto amount = [=, rest = volume(enclosure, world.rest)](double t) {
+        const double to = 1 + (stretch - 1) * std::clamp(t / blown, 0.0, 1.0);
+        return amountFor(party, rest, to);
+    };
+    membrane.gases.push_back({enclosure,
+                              {.amount = amount(0)},
+                              amount,
+                              {.hole = {enclosure.caps().begin(), enclosure.caps().end()},
+                               .opens = blown + held,
+                               .gravity = gravity}});
+    holdMembrane(world, membrane, {.name = "rubber"});
+}
+
+View viewOf(Range skin) {
+    View view = plait::viewOf({skin}, {0.4, 0.6, 0}, 1.3, Material::latex, {0.35, 0.15, 2.4});
+    view.groundHeight = 0;
+    view.groundSize = 2.5;
+    view.takes = {{.from = 0, .to = seconds},
+                  {.from = held - 0.05, .to = held + 1.05, .slow = 4, .words = "4 times slower"}};
+    return view;
+}
+
 }  // namespace
 
 Scene letGo(const Knobs& knobs) {
     Scene scene;
     World& world = scene.world;
     const PartyBalloon party;
-    const double stretch = knobs.number("stretch");
     const Vec<double> out{-0.5, -0.5 * std::sqrt(3.0), 0}, mouth{-0.35, 0.5, 0};
     const OpenBalloon balloon = addOpenBalloon(world, party, knobs.byQuality(3, 4, 5), mouth, out);
     const Enclosure enclosure = enclose(world, {balloon.skin}, {.cap = true, .name = "balloon"});
@@ -50,27 +84,8 @@ Scene letGo(const Knobs& knobs) {
 
     const GravityOptions gravity;
     world.act<Gravity>(gravity);
-    Membrane membrane;
-    membrane.rubber.push_back({{}, {}, party.rubber});
-    const Vec<double> upper{-out.y, out.x, 0}, middle = mouth - 0.07 * out;
-    for (const auto& t : std::span(enclosure.triangles).first(enclosure.skin)) {
-        membrane.rubber[0].triangles.insert(membrane.rubber[0].triangles.end(), t.begin(), t.end());
-        const Vec<double> at =
-            1.0 / 3 * (world.rest[t[0]] + world.rest[t[1]] + world.rest[t[2]]) - middle;
-        membrane.rubber[0].thickness.push_back(
-            party.wall * (1 + knobs.number("uneven") / 100 * dot(at, upper) / party.radius));
-    }
-    const auto amount = [=](double t) {
-        const double to = 1 + (stretch - 1) * std::clamp(t / blown, 0.0, 1.0);
-        return amountFor(party, rest, to);
-    };
-    membrane.gases.push_back({enclosure,
-                              {.amount = amount(0)},
-                              amount,
-                              {.hole = {enclosure.caps().begin(), enclosure.caps().end()},
-                               .opens = blown + held,
-                               .gravity = gravity.acceleration}});
-    holdMembrane(world, membrane, {.name = "rubber"});
+    blowUp(world, party, enclosure, mouth - 0.07 * out, {-out.y, out.x, 0}, knobs.number("stretch"),
+           knobs.number("uneven") / 100, gravity.acceleration);
     actAir(world, {.density = 1.2, .drag = 1, .objects = {balloon.skin}});
     world.constrain(bendRows(world.complex, balloon.skin, world.rest, flexuralRigidity),
                     {.name = "bend", .order = 1});
@@ -97,12 +112,7 @@ Scene letGo(const Knobs& knobs) {
         selfIntersections(world, balloon.skin, {0, 0}),
         lowestHeight({0, 5}),
         contactFailures()};
-    scene.view = viewOf({balloon.skin}, {0.4, 0.6, 0}, 1.3, Material::latex, {0.35, 0.15, 2.4});
-    scene.view.groundHeight = 0;
-    scene.view.groundSize = 2.5;
-    scene.view.takes = {
-        {.from = 0, .to = seconds},
-        {.from = held - 0.05, .to = held + 1.05, .slow = 4, .words = "4 times slower"}};
+    scene.view = viewOf(balloon.skin);
     return scene;
 }
 

@@ -66,9 +66,9 @@ Range addPyramid(Yard& yard, int subdivisions) {
     Range all{};
     for (int layer = 0; layer < 3; ++layer)
         for (int i = 0; i < (3 - layer) * (3 - layer); ++i) {
-            const int each = 3 - layer;
+            const int each = 3 - layer, row = i / each;
             const Vec<double> place{i % each - 0.5 * (each - 1), layer * squareRoot(0.5),
-                                    i / each - 0.5 * (each - 1)};
+                                    row - 0.5 * (each - 1)};
             const Range one = yard.add(
                 sphere({.subdivisions = subdivisions, .radius = smallBall}),
                 {.density = 900,
