@@ -64,8 +64,8 @@ double massAt(const Solver<Real>& solver, int v) {
 }  // namespace
 
 // Thrust, gas and momentum by formulas of their own, from where vertices are.
-TEMPLATE_TEST_CASE("leak: mass leaves with its momentum, and the jet pushes by 2 c p A",
-                   "[gas][AW14]", float, double) {
+TEMPLATE_TEST_CASE("leak: mass leaves with its momentum, and the jet pushes by 2 c p A", "[gas]",
+                   float, double) {
     constexpr bool single = std::is_same_v<TestType, float>;
     const Flight flight;
     Solver<TestType> solver(flight.world, Flight::options());
@@ -121,7 +121,7 @@ TEMPLATE_TEST_CASE("leak: mass leaves with its momentum, and the jet pushes by 2
 
 // The air outside carries the gas inside: let go with a closed neck, skin and gas fall as if the
 // skin's weight alone pulled at both.
-TEST_CASE("leak: gas inside is heavy and weighs nothing", "[gas][AW14]") {
+TEST_CASE("leak: gas inside is heavy and weighs nothing", "[gas]") {
     const Vec<double> g{0, -9.81, 0};
     Flight flight(g, 1e9);
     flight.world.act<Gravity>(GravityOptions{.acceleration = g});
@@ -149,7 +149,7 @@ TEST_CASE("leak: gas inside is heavy and weighs nothing", "[gas][AW14]") {
                  length(pulled - 0.1 * skin * g) / length(0.1 * skin * g), 1e-6));
 }
 
-TEST_CASE("leak: let go, paused and taken up again, it flies the same way", "[gas][AW14]") {
+TEST_CASE("leak: let go, paused and taken up again, it flies the same way", "[gas]") {
     const Flight flight;
     Solver<float> whole(flight.world, Flight::options()), again(flight.world, Flight::options());
     for (int frame = 0; frame < 330; ++frame) whole.frame();
