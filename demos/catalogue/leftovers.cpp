@@ -1,9 +1,9 @@
 #include "leftovers.h"
 
 #include "demos/runs/run_folder.h"
+#include "demos/stability/atlas.h"
 #include "demos/tools/errors.h"
 #include "demos/tools/files.h"
-#include "render/charts/chart.h"
 
 #include <algorithm>
 
@@ -16,12 +16,7 @@ const CurveStyle storedBoundary{0, Marker::disc, Dash::solid};
 
 // What of a map is known without its cells: boundaries, and theory's.
 Figure boundaryFigure(const StabilityMap& map, const std::vector<Boundary>& boundaries) {
-    const int panels = static_cast<int>(map.panels.size());
-    Figure figure{.title = map.title, .note = map.note};
-    figure.columns = panels > 4 ? (panels + 1) / 2 : panels;
-    const int rows = (panels + figure.columns - 1) / figure.columns;
-    figure.width = panels == 1 ? 1000 : panels > 2 ? 340 + 320 * figure.columns : 1240;
-    figure.height = 160 + (panels == 1 ? 560 : panels > 2 ? 360 : 460) * rows;
+    Figure figure = emptyFigure(map);
     for (const StabilityPanel& panel : map.panels) {
         Chart chart{
             .title = panel.name,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "map.h"
+#include "render/charts/chart.h"
 
 #include <filesystem>
 #include <span>
@@ -24,6 +25,9 @@ Atlas workOut(const StabilityMap& map, int cells, int jobs, bool quiet,
 // Some of the boundaries: of these panels (all where there are none) at the first `most` of x.
 std::vector<Boundary> traceBoundaries(const StabilityMap& map,
                                       const std::vector<std::string>& panels, std::size_t most);
+
+// As large as a map's panels want it, its charts still to come.
+Figure emptyFigure(const StabilityMap& map);
 
 // Into `folder`: cells.csv, boundaries.csv, chart.svg, chart.png and index.html.
 void writeAtlas(const StabilityMap& map, const Atlas& atlas, const std::filesystem::path& folder,

@@ -4,7 +4,6 @@
 #include "demos/tools/files.h"
 #include "demos/tools/web_page.h"
 #include "demos/tools/words.h"
-#include "render/charts/chart.h"
 
 #include <cmath>
 
@@ -77,14 +76,19 @@ Chart chartOf(const StabilityMap& map, const Atlas& atlas, std::size_t p) {
 
 }  // namespace
 
+Figure emptyFigure(const StabilityMap& map) {
+    const int panels = static_cast<int>(map.panels.size());
+    Figure figure{.title = map.title, .note = map.note};
+    figure.columns = panels > 4 ? (panels + 1) / 2 : panels;
+    const int rows = (panels + figure.columns - 1) / figure.columns;
+    figure.width = panels == 1 ? 1000 : panels > 2 ? 340 + 320 * figure.columns : 1240;
+    figure.height = 160 + (panels == 1 ? 560 : panels > 2 ? 360 : 460) * rows;
+    return figure;
+}
+
 void writeAtlas(const StabilityMap& map, const Atlas& atlas, const std::filesystem::path& folder,
                 const std::string& command) {
-    const int panels = static_cast<int>(map.panels.size());
-    Figure chart{.title = map.title, .note = map.note};
-    chart.columns = panels > 4 ? (panels + 1) / 2 : panels;
-    const int rows = (panels + chart.columns - 1) / chart.columns;
-    chart.width = panels == 1 ? 1000 : panels > 2 ? 340 + 320 * chart.columns : 1240;
-    chart.height = 160 + (panels == 1 ? 560 : panels > 2 ? 360 : 460) * rows;
+    Figure chart = emptyFigure(map);
     for (std::size_t p = 0; p < map.panels.size(); ++p)
         chart.charts.push_back(chartOf(map, atlas, p));
     writeWhole(folder / "cells.csv", cellsCsv(map, atlas));
