@@ -1,6 +1,8 @@
-// One line a scene and precision, "name precision hash": the state after 4 frames of draft. Every
-// compiler, level, lane width and number of threads must agree on it (tests/run --long compares).
+// One line a scene and precision, "name precision hash": the state after a few frames of draft.
+// Every compiler, level, lane width and number of threads must agree on it (tests/run --long
+// compares).
 #include "scenes/scene.h"
+#include "tests/blessed_hashes.h"
 
 #include <plait/solver.h>
 
@@ -12,7 +14,7 @@ template <class Real>
 void print(const plait::SceneEntry& entry, const char* precision) {
     const plait::Scene scene = plait::build(entry, plait::Quality::draft);
     plait::Solver<Real> solver(scene.world, scene.options);
-    for (int frame = 0; frame < 4; ++frame) solver.frame();
+    for (int frame = 0; frame < plait::test::blessedFrames; ++frame) solver.frame();
     std::printf("%s %s %016llx\n", entry.name.c_str(), precision,
                 static_cast<unsigned long long>(solver.hash()));
 }

@@ -168,10 +168,12 @@ TEST_CASE("a frame rate looks more often and changes no substep", "[program][CA1
 
 namespace {
 
-void checkAll(const std::string& quality) {
+void checkAll(const std::vector<std::string>& options) {
     const TemporaryFolder folder;
     for (const SceneEntry& entry : smallScenes()) {
-        const Outcome check = plait::test::plait(folder, {"check", entry.name, "-q", quality});
+        std::vector<std::string> words{"check", entry.name};
+        words.insert(words.end(), options.begin(), options.end());
+        const Outcome check = plait::test::plait(folder, words);
         INFO(entry.name << "\n" << check.out << check.err);
         CHECK(check.status == 0);
     }
@@ -179,9 +181,17 @@ void checkAll(const std::string& quality) {
 
 }  // namespace
 
-TEST_CASE("every scene keeps to its bands at draft", "[program][figures]") { checkAll("draft"); }
+TEST_CASE("every scene keeps to its bands for a second of draft", "[program][figures]") {
+    checkAll({"-q", "draft", "--seconds", "1"});
+}
 
-TEST_CASE("every scene keeps to its bands at preview", "[program][long]") { checkAll("preview"); }
+TEST_CASE("every scene keeps to its bands at draft", "[program][long]") {
+    checkAll({"-q", "draft"});
+}
+
+TEST_CASE("every scene keeps to its bands at preview", "[program][long]") {
+    checkAll({"-q", "preview"});
+}
 
 TEST_CASE("check holds a scene and a run to their bands", "[program]") {
     const TemporaryFolder folder;

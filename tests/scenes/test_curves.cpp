@@ -111,13 +111,19 @@ TEST_CASE("tress: waves are kept in gusts, and nothing goes through the head",
 }
 
 TEST_CASE("goal: ball and net keep their momentum until the posts act",
-          "[scenes][rods][contacts][AR1][FX26]") {
-    const Shot full = shoot<double>(), single = shoot<float>();
-    note("until, s", full.seconds);
-    note("kept by the ball", full.kept);
-    CHECK(full.kept < 0.9);
-    CHECK(report("change of momentum, double", full.worst, 1e-8));
-    CHECK(report("change of momentum, float", single.worst, 1e-6));
+          "[scenes][rods][contacts][figures][AR1][FX26]") {
+    const Shot shot = shoot<double>();
+    note("until, s", shot.seconds);
+    note("kept by the ball", shot.kept);
+    CHECK(shot.kept < 0.9);
+    CHECK(report("change of momentum, double", shot.worst, 1e-8));
+}
+
+TEST_CASE("goal: in float too ball and net keep their momentum",
+          "[scenes][rods][contacts][long][AR1][FX26]") {
+    const Shot shot = shoot<float>();
+    CHECK(shot.kept < 0.9);
+    CHECK(report("change of momentum, float", shot.worst, 1e-6));
 }
 
 TEST_CASE("goal: the net stops the ball", "[scenes][rods][contacts][long][FX26]") {

@@ -54,7 +54,7 @@ TEST_CASE("dress: while it falls nothing passes through anything", "[dress][figu
 // A sixth of the substeps. Where contacts look at where these end alone, layers that meet have gone
 // through each other, and stay so for the rest of the dance.
 TEST_CASE("dress: paths hold in few substeps, and where they end is not enough",
-          "[dress][figures][FX2]") {
+          "[dress][long][FX2]") {
     const auto failed = [](const std::string& detection) {
         const SceneEntry& entry = findScene("dress");
         Knobs knobs = Knobs::defaults(entry.knobs, Quality::draft);

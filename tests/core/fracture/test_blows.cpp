@@ -175,7 +175,7 @@ TEST_CASE("blows: momentum stays when a ball breaks a free pane", "[welds]") {
     }
 }
 
-TEST_CASE("blows: a ball goes through a pane in a frame, and its rim stays", "[welds]") {
+TEST_CASE("blows: a ball goes through a pane in a frame, and its rim stays", "[welds][figures]") {
     const Struck scene = struck(250, true, true);
     const World& world = scene.world;
     Solver<float> solver(world, Steps{}.options());
@@ -198,27 +198,25 @@ TEST_CASE("blows: a ball goes through a pane in a frame, and its rim stays", "[w
 
 TEST_CASE("blows: the same bits on any number of threads, and after a pause",
           "[welds][threads][determinism]") {
-    const Struck scene = struck(120, true, true);
-    std::vector<std::uint64_t> hashes;
-    for (int threads = 1; threads <= 4; ++threads) {
-        SolverOptions options = Steps{}.options();
-        options.threads = threads;
-        Solver<float> solver(scene.world, options);
-        for (int frame = 0; frame < 3; ++frame) solver.frame();
-        hashes.push_back(solver.hash());
-    }
-    for (const std::uint64_t hash : hashes) REQUIRE(hash == hashes[0]);
-    Solver<float> first(scene.world, Steps{}.options()), second(scene.world, Steps{}.options());
-    first.frame();
-    second.restore(first.state(), first.evaluations());
-    for (int frame = 0; frame < 2; ++frame) second.frame();
-    REQUIRE(second.hash() == hashes[0]);
+    const Struck scene = struck(60, true, true);
+    SolverOptions options = Steps{}.options();
+    options.threads = 1;
+    Solver<float> single(scene.world, options);
+    options.threads = 3;
+    Solver<float> shared(scene.world, options), resumed(scene.world, options);
+    single.frame(), shared.frame();
+    resumed.restore(single.state(), single.evaluations());
+    for (Solver<float>* solver : {&single, &shared, &resumed})
+        for (int frame = 0; frame < 2; ++frame) solver->frame();
+    REQUIRE(shared.hash() == single.hash());
+    REQUIRE(resumed.hash() == single.hash());
+    REQUIRE(brokenIn(scene.world, single) > 0);
 }
 
 // A strip held at one end, and a ball of 33 g that goes for it, wherever in a substep it arrives.
 // At 60 a second it turns and touches elsewhere, and 16 % less speed breaks the strip.
 TEST_CASE("blows: how fast a ball must be to break a strip is the same for any substep",
-          "[welds][BR7]") {
+          "[welds][figures][BR7]") {
     const Pattern strip = row(0.2, 0.04, thickness, 10);
     // `away`: in parts of what the ball goes in a substep.
     const auto breaks = [&](double speed, const Steps& steps, double away) {
@@ -250,7 +248,7 @@ TEST_CASE("blows: how fast a ball must be to break a strip is the same for any s
         double low = 0.05, high = 40;
         REQUIRE(!breaks(low, steps, away));
         REQUIRE(breaks(high, steps, away));
-        while (high / low > 1.002) {
+        while (high / low > 1.01) {
             const double speed = std::sqrt(low * high);
             (breaks(speed, steps, away) ? high : low) = speed;
         }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scenes/scene.h"
+#include "tests/blessed_hashes.h"
 #include "tests/catch.h"
 #include "tests/small_scenes.h"
 
@@ -18,15 +19,13 @@ using namespace plait::test;
 
 namespace {
 
-constexpr int frames = 3;
-
 template <class Real>
 std::uint64_t hashAfter(const Scene& scene, int threads, KernelChoice kernels) {
     SolverOptions options = scene.options;
     options.threads = threads;
     options.kernels = kernels;
     Solver<Real> solver(scene.world, options);
-    for (int i = 0; i < frames; ++i) solver.frame();
+    for (int i = 0; i < blessedFrames; ++i) solver.frame();
     return solver.hash();
 }
 
@@ -38,41 +37,44 @@ std::vector<KernelChoice> everyChoice() {
     return choices;
 }
 
-// Of all choices every `step`th, of each scene others.
-void holdToChoices(std::size_t step) {
-    const std::vector<KernelChoice> choices = everyChoice();
-    std::size_t next = 0;
+void holdTo(const SceneEntry& entry, const Scene& scene, KernelChoice choice) {
+    INFO(entry.name << ", v" << static_cast<int>(choice.isa) + 2 << " x" << choice.lanes);
+    REQUIRE(hashAfter<float>(scene, 1, choice) == blessedHash<float>(entry.name));
+    REQUIRE(hashAfter<double>(scene, 1, choice) == blessedHash<double>(entry.name));
+}
+
+void holdToThreads(std::initializer_list<int> counts) {
     for (const SceneEntry& entry : smallScenes()) {
         const Scene scene = build(entry, Quality::draft);
-        const std::uint64_t expected = hashAfter<float>(scene, 1, {Isa::v2, 1});
-        const std::uint64_t expectedDouble = hashAfter<double>(scene, 1, {Isa::v2, 1});
-        for (std::size_t i = next++ % step; i < choices.size(); i += step) {
-            const KernelChoice choice = choices[i];
-            INFO(entry.name << ", v" << static_cast<int>(choice.isa) + 2 << " x" << choice.lanes);
-            REQUIRE(hashAfter<float>(scene, 1, choice) == expected);
-            REQUIRE(hashAfter<double>(scene, 1, choice) == expectedDouble);
+        for (const int threads : counts) {
+            INFO(entry.name << ", " << threads << " threads");
+            REQUIRE(hashAfter<float>(scene, threads, bestKernels()) ==
+                    blessedHash<float>(entry.name));
         }
     }
 }
 
 }  // namespace
 
-// Most kinds are in several scenes.
-TEST_CASE("determinism: lanes and instruction sets", "[determinism][figures]") { holdToChoices(3); }
-
-TEST_CASE("determinism: all lanes and instruction sets", "[determinism][long]") {
-    holdToChoices(1);
+// Of each scene another: most kinds are in several.
+TEST_CASE("determinism: lanes and instruction sets", "[determinism][figures]") {
+    const std::vector<KernelChoice> choices = everyChoice();
+    std::size_t next = 0;
+    for (const SceneEntry& entry : smallScenes())
+        holdTo(entry, build(entry, Quality::draft), choices[next++ % choices.size()]);
 }
 
-TEST_CASE("determinism: threads", "[determinism][threads]") {
+TEST_CASE("determinism: all lanes and instruction sets", "[determinism][long]") {
     for (const SceneEntry& entry : smallScenes()) {
         const Scene scene = build(entry, Quality::draft);
-        const std::uint64_t expected = hashAfter<float>(scene, 1, bestKernels());
-        for (const int threads : {1, 2, 3, 8}) {
-            INFO(entry.name << ", " << threads << " threads");
-            REQUIRE(hashAfter<float>(scene, threads, bestKernels()) == expected);
-        }
+        for (const KernelChoice choice : everyChoice()) holdTo(entry, scene, choice);
     }
+}
+
+TEST_CASE("determinism: threads", "[determinism][threads]") { holdToThreads({3}); }
+
+TEST_CASE("determinism: more and fewer threads", "[determinism][long]") {
+    holdToThreads({1, 2, 8});
 }
 
 // Large enough that the colours of every kind are cut between the threads, which the scenes' are
@@ -105,12 +107,13 @@ TEST_CASE("determinism: a run that is rewound is the run again", "[determinism][
         const Scene scene = build(entry, Quality::draft);
         Solver<float> solver(scene.world, scene.options);
         const std::uint64_t start = solver.hash();
-        for (int i = 0; i < frames; ++i) solver.frame();
+        solver.frame();
         const std::uint64_t end = solver.hash();
+        solver.frame();
         solver.rewind();
         INFO(entry.name);
         REQUIRE(solver.hash() == start);
-        for (int i = 0; i < frames; ++i) solver.frame();
+        solver.frame();
         REQUIRE(solver.hash() == end);
         REQUIRE(end != start);
     }
