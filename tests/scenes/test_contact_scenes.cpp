@@ -226,7 +226,7 @@ TEST_CASE("bodies of particles keep their shape as they are thrown and slide",
 }
 
 TEST_CASE("stacks: a wall and a pyramid of balls stand while nothing rolls into them",
-          "[contacts][pieces][scenes][FX24]") {
+          "[contacts][figures][pieces][scenes][FX24]") {
     constexpr double side = 0.06;  // m, of a brick
     const Scene scene = sceneWith("stacks", "speed", 0);
     Solver<float> solver(scene.world, scene.options);

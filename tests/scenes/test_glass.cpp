@@ -12,7 +12,7 @@ using namespace plait;
 using namespace plait::test;
 
 TEST_CASE("glass: nothing breaks before the ball comes, and then it goes through",
-          "[welds][scenes][FX3]") {
+          "[welds][figures][scenes][FX3]") {
     const Scene scene = build(findScene("glass"), Quality::draft);
     const World& world = scene.world;
     Solver<float> solver(world, scene.options);

@@ -49,7 +49,7 @@ double slopeOf(double friction) {
 
 }  // namespace
 
-TEST_CASE("heaps: rougher beads lie steeper", "[contacts][friction][FR8]") {
+TEST_CASE("heaps: rougher beads lie steeper", "[contacts][figures][friction][FR8]") {
     double last = 0;
     for (const double friction : {0.0, 0.2, 0.6}) {
         const double slope = slopeOf(friction);

@@ -186,7 +186,7 @@ TEST_CASE("global: a free sheet takes the torque of forces", "[methods][conserva
 }
 
 // At rest, where no step counts; newton solves the same equations.
-TEST_CASE("global: a soft sheet stretches as much as it should", "[methods]") {
+TEST_CASE("global: a soft sheet stretches as much as it should", "[methods][figures]") {
     constexpr int n = 8;
     const World world = hungSheet(n, 0.01);
     SolverOptions exact = newton(framesPerSecond, Integrator::first);

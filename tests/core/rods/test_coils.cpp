@@ -45,7 +45,7 @@ SolverOptions stepping(int substeps, double damping) {
 
 // What contacts move takes the directors of its edges along; else the first turns that meet are
 // thrown aside, three radii far.
-TEST_CASE("coils: turns that fall on each other stay a coil", "[rods][contacts]") {
+TEST_CASE("coils: turns that fall on each other stay a coil", "[rods][figures][contacts]") {
     Coil held = makeCoil(), free = held;
     const Rod& rod = held.rod;
     std::vector<int> top;

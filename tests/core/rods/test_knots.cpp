@@ -231,7 +231,7 @@ Course tie(double left, int substeps) {
 }  // namespace
 
 // What comes undone touches itself nowhere.
-TEST_CASE("knots: an overhand knot that is pulled stays tied", "[rods][contacts]") {
+TEST_CASE("knots: an overhand knot that is pulled stays tied", "[rods][figures][contacts]") {
     const Course course = tie(26 * diameter, 40);
     CHECK(course.touching >= 5);
     checkNothingPassed(course);
@@ -267,7 +267,7 @@ Points hung(const std::vector<double>& lengths, bool meets) {
 // Of two that were nearer than the thickness what was between them is kept, and no more: a rod
 // bends as if it did not meet itself.
 TEST_CASE("knots: links shorter than the rod is thick do not hold their neighbours",
-          "[rods][contacts]") {
+          "[rods][figures][contacts]") {
     for (const auto& lengths : {std::vector<double>(100, 0.375 * diameter), uneven(0.3)}) {
         const Points free = hung(lengths, false), held = hung(lengths, true);
         double most = 0;

@@ -56,7 +56,7 @@ Rod addClamped(World& world, int links, const Wire& wire, RodModel model = RodMo
 
 // A weight on a rod that has none: alpha = P L^2 / B; drop and 1 - reach of the tip (Mattiasson
 // 1981; validation A3).
-TEST_CASE("loads: a rod with a weight at its end", "[rods]") {
+TEST_CASE("loads: a rod with a weight at its end", "[rods][figures]") {
     constexpr int links = 64;
     constexpr double g = 10;
     constexpr struct {
@@ -197,7 +197,7 @@ Mode firstMode(const World& world, int links) {
 
 // 3.5160150 sqrt(B / w L^4). After 100 s against the same oscillator in the same steps: with
 // u = 1 / z, BDF2 is (3 - 4 u + u^2) / 2 h = i omega, first order (1 - u) / h = i omega.
-TEST_CASE("loads: a cantilever swings for 100 s", "[rods]") {
+TEST_CASE("loads: a cantilever swings for 100 s", "[rods][figures]") {
     constexpr int links = 24, substeps = 40;
     for (const bool second : {true, false}) {
         World world;
