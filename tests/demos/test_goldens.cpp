@@ -66,7 +66,7 @@ Scene recoloured(Scene scene) {
 
 }  // namespace
 
-TEST_CASE("every scene looks like its goldens", "[goldens]") {
+TEST_CASE("every scene looks like its goldens", "[goldens][figures]") {
     std::vector<ComparisonEntry> failures;
     for (const GoldenScene& golden : goldenScenes) judge(golden, failures);
 }

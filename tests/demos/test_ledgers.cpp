@@ -84,7 +84,7 @@ TEST_CASE("ledgers: settings, metrics and ingredients are those of the demos", "
     }
 }
 
-TEST_CASE("ledgers: cheap demos come to what their ledgers say", "[ledger]") {
+TEST_CASE("ledgers: cheap demos come to what their ledgers say", "[ledger][figures]") {
     for (const std::string& scene : cheap) checkBase(scene);
 }
 
