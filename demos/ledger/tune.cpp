@@ -77,17 +77,25 @@ private:
         tuning_.own = twins_[0];
         if (!tuning_.own.whole()) throw SceneError(run_.entry->name + ": " + tuning_.own.ending);
         Trial coarse = tuning_.own;
+        std::vector<double> changes;  // by each doubling, in tolerances
         for (int times = 2; times <= mostRefined; times *= 2) {
             Trial fine = trialOf("substeps times " + std::to_string(times), refined(run_, times));
             if (!fine.whole()) throw SceneError(run_.entry->name + ": " + fine.ending);
             holdTo(fine);
             ladder_.push_back(std::exchange(coarse, fine));
             tuning_.refined = times;
-            if (worstOf(ladder_.back()).first <= 1) break;
+            changes.push_back(worstOf(ladder_.back()).first);
+            if (changes.back() <= 1 || isStuck(changes)) break;
         }
         tuning_.converged = std::move(coarse);
         holdToBands(ladder_.back());
         tuning_.ownWorst = worstOf(tuning_.own).first;
+    }
+
+    // First order would have brought it to a quarter.
+    static bool isStuck(const std::vector<double>& changes) {
+        const std::size_t n = changes.size();
+        return n > 2 && std::isfinite(changes[n - 1]) && changes[n - 1] > changes[n - 3] / 2;
     }
 
     // What half the substeps of the finest run still move too far.
@@ -98,8 +106,9 @@ private:
             if (tolerance.changeOf(figuresOf(metric, m, half.rows)) <= 1) continue;
             const double middle = (metric.low + metric.high) / 2, part = metric.high - middle;
             if (!std::isfinite(part))
-                throw SceneError(run_.entry->name + ": " + metric.name + " converges within no " +
-                                 std::to_string(mostRefined) + " times its substeps");
+                throw SceneError(run_.entry->name + ": " + metric.name +
+                                 " has not converged with " + std::to_string(tuning_.refined) +
+                                 " times its substeps");
             tolerance = {{middle, middle, middle}, {part, part, part}};
             tuning_.unsettled.push_back(metric.name);
         }

@@ -29,8 +29,8 @@ struct Tuning {
     int refined = 0;
     std::vector<Metric> metrics = {};
     std::vector<MetricTolerance> tolerances = {};  // about what is converged (tuneToleranceOf())
-    // Metrics that 32 times the substeps do not settle, as how many shards there are: they are held
-    // to their bands alone.
+    // Metrics that 32 times the substeps do not settle, nor two doublings bring to half, as how many
+    // shards there are: they are held to their bands alone.
     std::vector<std::string> unsettled = {};
     Trial converged = {}, own = {}, chosen = {};
     double ownWorst = 0;               // the scene's own settings, in tolerances
@@ -41,8 +41,7 @@ struct Tuning {
 // From the scene's own settings, or, where these are not within tolerance of what is converged,
 // from the least multiple of their substeps that is: of the changes of cheaperSettings() the one
 // that saves most is taken, again and again. Throws Interrupted, and SceneError for a scene of
-// which a metric without a band settles within no 32 times its substeps, or that does not end well
-// by itself.
+// which a metric without a band does not settle, or that does not end well by itself.
 Tuning tune(const Run& run, const LedgerOptions& options, const std::filesystem::path& folder);
 
 // The part `tolerance` of what a metric goes through or comes to, and never less than twice what

@@ -27,6 +27,7 @@ constexpr double tied = 6;                   // s
 constexpr double nozzle = 0.5;               // m, height of its end
 constexpr double inside = 0.018;             // m, how far the neck is drawn over it
 constexpr double flexuralRigidity = 2.2e-6;  // N m, E t^3 / 12 (1 - nu^2) of the wall
+constexpr int substeps = 20;
 
 // J, of the gas at time t (s): as a sphere wants it that grows steadily.
 double amountAt(const PartyBalloon& balloon, double rest, double stretch, double t) {
@@ -73,17 +74,17 @@ Scene balloon(const Knobs& knobs) {
         membrane.rubber[0].triangles.insert(membrane.rubber[0].triangles.end(), t.begin(), t.end());
     const auto amount = [=](double t) { return amountAt(party, rest, stretch, t); };
     membrane.gases.push_back({enclosure, {.amount = amount(0)}, amount});
-    holdMembrane(world, membrane, {.name = "rubber"});
+    // With one column a substep rubber and bending push each other about, until what is limp flies
+    // up at its nozzle.
+    holdMembrane(world, membrane, {.name = "rubber", .importance = 2 * substeps});
     world.constrain(bendRows(world.complex, skin, world.rest, flexuralRigidity),
-                    {.name = "bend", .order = 1});
+                    {.name = "bend", .order = 1, .importance = 45});
     const Surface surface{.vertices = skin, .staticFriction = 0.5, .dynamicFriction = 0.5};
-    meet(world, {surface}, {.order = 2});
+    meet(world, {surface}, {.order = 2, .importance = substeps});
     collide(world, {{.solid = Solid::plane(), .staticFriction = 0.5, .dynamicFriction = 0.5}},
-            {surface}, {.order = 3});
+            {surface}, {.order = 3, .importance = substeps});
 
-    // The floor holds a light skin by many small substeps; and with one column rubber and bending
-    // push each other about, until what is limp flies up at its nozzle.
-    scene.options.schedule = {.substeps = 40, .iterations = 2, .collisionPasses = 1};
+    scene.options.schedule = {.substeps = substeps};
     scene.options.sweeps = Sweeps::oneWay;
     scene.options.damping = 0.02;
     scene.seconds = 9;

@@ -66,7 +66,8 @@ Scene wineGlass(const Knobs& knobs) {
     world.act<Gravity>(GravityOptions{});
 
     // Slow motion with another substep would break another glass: a picture each at 1/20.
-    scene.options.schedule = {.substeps = 1, .frameRate = {480, 1}, .collisionPasses = 1};
+    scene.options.schedule = {.substeps = 2, .frameRate = {480, 1}, .collisionPasses = 1};
+    scene.options.sweeps = Sweeps::oneWay;
     scene.seconds = 2.4;
     const Shards together(world, welds, shards);
     scene.metrics = {

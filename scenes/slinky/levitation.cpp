@@ -160,7 +160,7 @@ Scene levitation(const Knobs& knobs) {
     scene.options.schedule = {.substeps = 5, .frameRate = {240, 1}, .iterations = 1};
     // A blow on a stack of turns must reach its other end: with no sweeps of contacts of their own
     // it is pressed to a quarter of its length as it closes.
-    scene.options.schedule.collisionPasses = 60;
+    scene.options.schedule.collisionPasses = 45;
     scene.options.sweeps = Sweeps::oneWay;
     scene.seconds = seconds;
     scene.metrics = {clockOf(world, slinky, rod, {0, 1.03 * slinky.collapse()}),
