@@ -29,8 +29,8 @@ struct Tuning {
     int refined = 0;
     std::vector<Metric> metrics = {};
     std::vector<MetricTolerance> tolerances = {};  // about what is converged (tuneToleranceOf())
-    // Metrics that 32 times the substeps do not settle, nor two doublings bring to half, as how many
-    // shards there are: they are held to their bands alone.
+    // Metrics that 32 times the substeps do not settle, or that two doublings do not bring to half,
+    // as how many shards there are: they are held to their bands alone.
     std::vector<std::string> unsettled = {};
     Trial converged = {}, own = {}, chosen = {};
     double ownWorst = 0;               // the scene's own settings, in tolerances
