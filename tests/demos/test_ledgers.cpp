@@ -106,7 +106,7 @@ TEST_CASE("tunings: demos have the cheapest settings that keep what is converged
 }
 
 TEST_CASE("tunings: those that are cheap, tried anew", "[ledger][long]") {
-    for (const char* scene : {"flag", "glass"}) checkCheapest(scene);
+    for (const char* scene : {"flag", "glass", "wine-glass"}) checkCheapest(scene);
 }
 
 TEST_CASE("tunings: one that no longer is of its scene is found out", "[ledger]") {
