@@ -17,6 +17,7 @@ Scene medley(const Knobs&);
 Scene pendulum(const Knobs&);
 Scene pile(const Knobs&);
 Scene stacks(const Knobs&);
+Scene swatches(const Knobs&);
 Scene sampler(const Knobs&);
 Scene sheetOnSphere(const Knobs&);
 Scene softPins(const Knobs&);
