@@ -10,6 +10,7 @@ Scene bullet(const Knobs&);
 Scene cantilever(const Knobs&);
 Scene coil(const Knobs&);
 Scene elbow(const Knobs&);
+Scene handkerchief(const Knobs&);
 Scene hangingChain(const Knobs&);
 Scene hangingSheet(const Knobs&);
 Scene layeredSheets(const Knobs&);
