@@ -58,6 +58,9 @@ void checkCheapest(const std::string& scene) {
         }
 }
 
+// Not tuned yet: a trial of either takes minutes.
+const std::vector<std::string> untuned{"dress", "liquid"};
+
 // Those whose whole clip takes a few seconds at draft.
 const std::vector<std::string> cheap{"wine-glass", "glass", "flag"};
 
@@ -100,6 +103,9 @@ TEST_CASE("ledgers: without mending the dress's threads stretch after four secon
 
 TEST_CASE("tunings: demos have the cheapest settings that keep what is converged", "[ledger]") {
     for (const std::string& scene : demos()) {
+        const bool stored = std::filesystem::exists(PLAIT_ROOT "/golden/tune/" + scene + ".csv");
+        CHECK(stored == (std::ranges::count(untuned, scene) == 0));
+        if (!stored) continue;
         const Tuning tuning = storedTuning(scene);
         none(scene, differences(tuning, runOf(tuning.settings)));
     }
