@@ -13,10 +13,13 @@ namespace plait {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-constexpr int mostRefined = 32, nudges = 6;
+constexpr int mostRefined = 32, nudges = 6, mostImportant = 1'000'000;
 
+// Each set as often in every substep as before.
 Run refined(Run run, int times) {
     run.scene.options.schedule.substeps *= times;
+    for (World::Set& set : run.scene.world.sets)
+        set.options.importance = std::min(mostImportant, times * set.options.importance);
     return run;
 }
 
