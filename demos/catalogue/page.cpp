@@ -13,7 +13,9 @@ constexpr MenuItem menu[] = {{"scenes", "index.html", "Scenes"},
                              {"constraints", "constraints/index.html", "Constraints"},
                              {"methods", "methods/index.html", "Methods"},
                              {"forces", "forces/index.html", "Forces"},
-                             {"dictionary", "dictionary.html", "Dictionary"}};
+                             {"dictionary", "dictionary.html", "Dictionary"},
+                             {"validated", "validated.html", "Validated"},
+                             {"limits", "limits.html", "Limits"}};
 
 std::string navigation(const SitePage& page, const std::string& root) {
     std::string items;
