@@ -126,7 +126,7 @@ SitePage frontPage(Site& site) {
             "<div class=\"intro\"><h1>Effects catalogue</h1>\n<p class=\"lesson\">Cloth, wires, "
             "rubber, glass and water are one kind of matter here: points, edges, triangles and "
             "tetrahedra, and constraints that say what must hold between them. Each scene "
-            "teaches one thing.</p>\n<p>How well it does, and where it does not: " +
+            "teaches one thing.</p>\n<p>All of it in figures: " +
             reportLinks() + ".</p>\n</div>\n" + filterForm(site) + cards(site) + otherPages(),
         .next = "scenes/" + site.scenes.front().entry->name + ".html"};
 }
