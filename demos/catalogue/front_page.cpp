@@ -89,6 +89,14 @@ std::string cards(const Site& site) {
     return html + "</ul>\n";
 }
 
+std::string reportLinks() {
+    std::string html;
+    for (const ReportFile& report : reportFiles)
+        html +=
+            (html.empty() ? "" : ", ") + linkTo(report.room + std::string(".html"), report.title);
+    return html;
+}
+
 // Found by the search only.
 std::string otherPages() {
     std::string html;
@@ -118,8 +126,8 @@ SitePage frontPage(Site& site) {
             "<div class=\"intro\"><h1>Effects catalogue</h1>\n<p class=\"lesson\">Cloth, wires, "
             "rubber, glass and water are one kind of matter here: points, edges, triangles and "
             "tetrahedra, and constraints that say what must hold between them. Each scene "
-            "teaches one thing.</p>\n</div>\n" +
-            filterForm(site) + cards(site) + otherPages(),
+            "teaches one thing.</p>\n<p>All of it in figures: " +
+            reportLinks() + ".</p>\n</div>\n" + filterForm(site) + cards(site) + otherPages(),
         .next = "scenes/" + site.scenes.front().entry->name + ".html"};
 }
 

@@ -13,7 +13,9 @@ constexpr MenuItem menu[] = {{"scenes", "index.html", "Scenes"},
                              {"constraints", "constraints/index.html", "Constraints"},
                              {"methods", "methods/index.html", "Methods"},
                              {"forces", "forces/index.html", "Forces"},
-                             {"dictionary", "dictionary.html", "Dictionary"}};
+                             {"dictionary", "dictionary.html", "Dictionary"},
+                             {"validated", "validated.html", "Validated"},
+                             {"limits", "limits.html", "Limits"}};
 
 std::string navigation(const SitePage& page, const std::string& root) {
     std::string items;
@@ -66,9 +68,19 @@ std::string linkTo(const std::string& href, const std::string& words) {
     return "<a href=\"" + escaped(href) + "\">" + escaped(words) + "</a>";
 }
 
+std::string escapedLines(const std::string& text) {
+    std::string html;
+    for (std::size_t from = 0; from <= text.size();) {
+        const std::size_t end = std::min(text.find('\n', from), text.size());
+        html += (from == 0 ? "" : "\n") + escaped(text.substr(from, end - from));
+        from = end + 1;
+    }
+    return html;
+}
+
 std::string commandLine(const std::string& command) {
-    return R"(<pre class="command" tabindex="0" aria-label="command"><code>)" + escaped(command) +
-           "</code></pre>\n";
+    return R"(<pre class="command" tabindex="0" aria-label="command"><code>)" +
+           escapedLines(command) + "</code></pre>\n";
 }
 
 std::string missing(const std::string& what, const std::string& command) {

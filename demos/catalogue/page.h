@@ -27,7 +27,10 @@ std::string sectionOf(const std::string& id, const std::string& heading, const s
 
 // <a href>; `words` are text.
 std::string linkTo(const std::string& href, const std::string& words);
-// A command to copy, in a line of its own; and what makes something that is not there yet.
+// Text whose lines stay lines, for <pre>.
+std::string escapedLines(const std::string& text);
+// A command to copy, in a line of its own, or some below each other; and what makes something that
+// is not there yet.
 std::string commandLine(const std::string& command);
 std::string missing(const std::string& what, const std::string& command);
 // Rows of HTML cells beneath a header of text, in a box that scrolls by itself.

@@ -118,6 +118,7 @@ fs::path makeSite(const SiteOptions& options) {
     }
     writePage(site, frontPage(site));
     writePage(site, dictionaryPage(site));
+    for (const ReportFile& report : reportFiles) writePage(site, reportPage(site, report));
     writeTopics(site);
     writeSources(site);
     writeWhole(options.out / "style.css", catalogueStyle);

@@ -56,6 +56,15 @@ SitePage topicsPage(Site& site, TopicSort sort);
 SitePage dictionaryPage(Site& site);
 SitePage sourcePage(const Site& site, const std::string& file);
 
+// A file in Markdown that is a page of its own; `code` that names a scene leads to it.
+struct ReportFile {
+    const char *room, *file, *title;
+};
+constexpr ReportFile reportFiles[] = {{"validated", "tests/validated.md", "What is validated"},
+                                      {"limits", "tests/limits.md", "Where it fails"}};
+// Throws FileError for what readMarkdown refuses.
+SitePage reportPage(Site& site, const ReportFile& report);
+
 // Parts of the page of a scene, each a section.
 std::string scheduleSection(const SceneFacts& scene);
 std::string equationSection(const SceneFacts& scene);

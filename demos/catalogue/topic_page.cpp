@@ -11,7 +11,7 @@ namespace {
 std::string openingOf(const Sources& sources, const std::string& header) {
     std::string html;
     for (const std::string& paragraph : sources.opening(header))
-        html += paragraph[0] == ' ' ? "<pre tabindex=\"0\">" + escaped(paragraph) + "</pre>\n"
+        html += paragraph[0] == ' ' ? "<pre tabindex=\"0\">" + escapedLines(paragraph) + "</pre>\n"
                                     : "<p>" + escaped(paragraph) + "</p>\n";
     return html;
 }

@@ -52,6 +52,8 @@ const std::vector<std::string> pagesToSee{"index.html",
                                           "methods/index.html",
                                           "forces/air.html",
                                           "dictionary.html",
+                                          "validated.html",
+                                          "limits.html",
                                           "source/scenes/flag.cpp.html"};
 
 void saysNothing(Browser& browser) {
@@ -113,7 +115,8 @@ TEST_CASE(
                 browser.emulate("screen", colors);
                 INFO(colors);
                 if (width == 1440) CHECK(browser.run(faintWords) == "");
-                if (page == "index.html" || page == "scenes/flag.html" || page == "dictionary.html")
+                if (page == "index.html" || page == "scenes/flag.html" ||
+                    page == "dictionary.html" || page == "validated.html" || page == "limits.html")
                     keep(browser, fs::path(page).stem().string() + "-" + std::to_string(width) +
                                       "-" + colors);
             }

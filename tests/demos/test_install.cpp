@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <regex>
 #include <sstream>
 #include <string>
+#include <utility>
 
 using namespace plait::test;
 
@@ -66,13 +69,26 @@ TEST_CASE("programs of their own simulate with the installed package", "[program
     CHECK(report("sag of a rope between two hands, m", std::fabs(lowestOf("rope") + 0.3627), 2e-3));
 }
 
-TEST_CASE("the README prints every example as it is", "[program][install]") {
-    const std::string readme = contents(PLAIT_ROOT "/README.md");
-    for (const char* example : {"cloth", "rope"}) {
+TEST_CASE("every example is printed as it is, one of them in the README", "[program][install]") {
+    for (const auto& [example, where] :
+         {std::pair{"rope", "/README.md"}, {"cloth", "/demos/README.md"}}) {
         const std::string text =
             contents(PLAIT_ROOT "/demos/examples/" + std::string(example) + ".cpp");
         INFO(example);
-        CHECK(contains(readme, "```cpp\n" + text + "```\n"));
+        CHECK(contains(contents(PLAIT_ROOT + std::string(where)), "```cpp\n" + text + "```\n"));
         CHECK(std::ranges::count(text, '\n') <= 50);
     }
+}
+
+TEST_CASE("the README is read in five minutes, and its pictures are there", "[program][install]") {
+    const std::string readme = contents(PLAIT_ROOT "/README.md");
+    CHECK(std::ranges::count(readme, '\n') <= 150);
+    const std::regex picture(R"(!\[[^\]]+\]\(([^)]+)\))");
+    int pictures = 0;
+    for (std::sregex_iterator i(readme.begin(), readme.end(), picture), end; i != end; ++i) {
+        INFO((*i)[1]);
+        CHECK(std::filesystem::exists(PLAIT_ROOT "/" + std::string((*i)[1])));
+        ++pictures;
+    }
+    CHECK(pictures >= 8);
 }
