@@ -146,7 +146,8 @@ TEST_CASE("catalogue: what is no row, or stands elsewhere, is refused; what is h
     }
 }
 
-TEST_CASE("catalogue: tests/limits.md says which numbers have no unit in the world", "[ledger][UN9]") {
+TEST_CASE("catalogue: tests/limits.md says which numbers have no unit in the world",
+          "[ledger][UN9]") {
     std::ifstream file(fs::path(PLAIT_ROOT) / "tests/limits.md");
     std::string text;
     for (std::string word; file >> word;) text += word + ' ';

@@ -78,7 +78,7 @@ Scene balloon(const Knobs& knobs) {
     // up at its nozzle.
     holdMembrane(world, membrane, {.name = "rubber", .importance = 2 * substeps});
     world.constrain(bendRows(world.complex, skin, world.rest, flexuralRigidity),
-                    {.name = "bend", .order = 1, .importance = 30});
+                    {.name = "bend", .order = 1, .importance = 22});
     const Surface surface{.vertices = skin, .staticFriction = 0.5, .dynamicFriction = 0.5};
     meet(world, {surface}, {.order = 2, .importance = substeps});
     collide(world, {{.solid = Solid::plane(), .staticFriction = 0.5, .dynamicFriction = 0.5}},
