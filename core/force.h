@@ -26,10 +26,12 @@ public:
     // A frame begins, from time t0 to t1 (s): fields are evaluated here, once a frame (M 3.1.2)
     // [IN29].
     virtual void beginFrame(const State<Real>&, double /*t0*/, double /*t1*/, Workers&) {}
-    // Before any force of the substep, where everything stays until all have been applied: what
-    // follows from positions, and the inertia of the air, written to state.air(), with what it
-    // takes from velocities.
-    virtual void prepare(State<Real>&, Workers&) {}
+    // Before any force of a substep of h seconds that begins at time t, where everything stays
+    // until all have been applied: what follows from positions; the inertia of the air, written to
+    // state.air(), with what it takes from velocities; and what changes them at once, lastVelocity
+    // among them where there is one. `kept` is its drawer.
+    virtual void prepare(State<Real>&, Drawer<Real>& /*kept*/, double /*t*/, double /*h*/,
+                         Workers&) {}
     // v <- v + h W f for a substep of h seconds that begins at time t. Vertices without inverse
     // mass stay as they are.
     virtual void apply(State<Real>&, double t, double h, Workers&) = 0;

@@ -182,7 +182,9 @@ void Solver<Real>::dampRates() {
 
 template <class Real>
 void Solver<Real>::applyForces() {
-    for (const auto& force : forces_) force->prepare(state_, workers_);
+    for (std::size_t f = 0; f < forces_.size(); ++f)
+        forces_[f]->prepare(state_, drawerOf(static_cast<int>(sets_.size() + f)), time(), h_,
+                            workers_);
     for (const auto& force : forces_) {
         force->apply(state_, time(), implied_, workers_);
         if (blaming_) blame(force->name());

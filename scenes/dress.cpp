@@ -4,8 +4,8 @@
 #include "parts/measures.h"
 #include "parts/woven.h"
 
+#include <plait/air/air.h>
 #include <plait/contacts/surface.h>
-#include <plait/forces/air.h>
 #include <plait/forces/gravity.h>
 #include <plait/numbers/elementary.h>
 #include <plait/stencils.h>

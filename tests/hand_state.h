@@ -48,7 +48,8 @@ void setAir(State<Real>& state, std::size_t i, const Vec<Real>& q) {
 template <class Real>
 void act(State<Real>& state, std::initializer_list<Force<Real>*> forces, double h, Workers& workers,
          double t = 0) {
-    for (Force<Real>* force : forces) force->prepare(state, workers);
+    Drawer<Real> none;
+    for (Force<Real>* force : forces) force->prepare(state, none, t, h, workers);
     for (Force<Real>* force : forces) force->apply(state, t, h, workers);
 }
 

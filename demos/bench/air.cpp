@@ -1,6 +1,6 @@
 #include "air.h"
 
-#include <plait/forces/air.h>
+#include <plait/air/air.h>
 #include <plait/solver.h>
 
 #include <algorithm>
@@ -20,16 +20,16 @@ struct Form {
 std::vector<Form> forms() {
     const auto wind = [](double) { return Vec<double>{0.3, 0.1, 8}; };
     AirOptions full{.drag = 1.2, .lift = 1, .addedMass = 0.5, .wind = {.velocity = wind}};
-    AirOptions lift = full, drag = full, legacy = full, gusty = full;
+    AirOptions lift = full, drag = full, legacy = full, gusty = full, carried = full;
     lift.addedMass = drag.addedMass = legacy.addedMass = 0;
     drag.lift = legacy.lift = 0;
     legacy.form = AirForm::legacy;
     gusty.wind.noise = 2;
-    return {{"legacy", legacy},
-            {"physical", drag},
-            {"physical, lift", lift},
-            {"physical, lift, added mass", full},
-            {"the same in gusts", gusty}};
+    carried.addedMass = 0;
+    carried.carried = {.mass = 1, .reach = 0.2};
+    return {{"legacy", legacy},           {"physical", drag},
+            {"physical, lift", lift},     {"physical, lift, added mass", full},
+            {"the same in gusts", gusty}, {"physical, lift, carried", carried}};
 }
 
 // A sheet in disorder, so that every facet meets the air differently.
@@ -52,6 +52,8 @@ double cost(const World& world, const AirOptions& options, int threads, int subs
     const double h = frame / substeps;
     Air<float> air(world, options);
     State<float> state = Solver<float>(world, {}).state();
+    Drawer<float> kept;
+    air.furnish(kept);
     Workers workers(threads);
     const FlushDenormals flush;
     std::vector<double> values;
@@ -59,8 +61,9 @@ double cost(const World& world, const AirOptions& options, int threads, int subs
         const auto start = std::chrono::steady_clock::now();
         air.beginFrame(state, i * frame, (i + 1) * frame, workers);
         for (int s = 0; s < substeps; ++s) {
-            air.prepare(state, workers);
+            air.prepare(state, kept, i * frame + s * h, h, workers);
             air.apply(state, i * frame + s * h, h, workers);
+            ++state.substep;
         }
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
         if (i >= 0) values.push_back(taken.count());  // the first is a warm-up

@@ -19,7 +19,7 @@ std::vector<Topic> forceTopics() {
          .name = "air",
          .title = "Air and wind",
          .marks = {"air"},
-         .header = "core/forces/air.h",
+         .header = "core/air/air.h",
          .lesson = "Air slows what moves through it broadside, lets pass what cuts it edge-on, and "
                    "carries what it blows at.",
          .equations =

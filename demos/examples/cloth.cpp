@@ -1,6 +1,6 @@
 // A cloth of 1 m by 1 m on two pins, in wind that swings: prints how low it hangs after 4 s.
+#include <plait/air/air.h>
 #include <plait/elementary.h>
-#include <plait/forces/air.h>
 #include <plait/forces/gravity.h>
 #include <plait/solver.h>
 #include <plait/stencils.h>

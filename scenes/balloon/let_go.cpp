@@ -5,9 +5,9 @@
 #include "balloon.h"
 #include "party_balloon.h"
 
+#include <plait/air/air.h>
 #include <plait/contacts/solids/collider.h>
 #include <plait/contacts/surface.h>
-#include <plait/forces/air.h>
 #include <plait/forces/gravity.h>
 #include <plait/stencils.h>
 

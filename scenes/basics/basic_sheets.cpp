@@ -4,7 +4,7 @@
 #include "../parts/measures.h"
 #include "../parts/views.h"
 
-#include <plait/forces/air.h>
+#include <plait/air/air.h>
 #include <plait/forces/field.h>
 #include <plait/forces/gravity.h>
 #include <plait/numbers/elementary.h>

@@ -6,10 +6,10 @@
 #include "../parts/views.h"
 #include "../parts/woven.h"
 
+#include <plait/air/air.h>
 #include <plait/attachments/grip.h>
 #include <plait/contacts/solids/collider.h>
 #include <plait/contacts/surface.h>
-#include <plait/forces/air.h>
 #include <plait/forces/gravity.h>
 #include <plait/stencils.h>
 

@@ -7,7 +7,7 @@
 #include "../parts/views.h"
 #include "../parts/woven.h"
 
-#include <plait/forces/air.h>
+#include <plait/air/air.h>
 #include <plait/forces/gravity.h>
 #include <plait/numbers/elementary.h>
 #include <plait/stencils.h>

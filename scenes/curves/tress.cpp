@@ -3,9 +3,9 @@
 #include "../parts/views.h"
 #include "curves.h"
 
+#include <plait/air/air.h>
 #include <plait/contacts/solids/collider.h>
 #include <plait/contacts/surface.h>
-#include <plait/forces/air.h>
 #include <plait/forces/gravity.h>
 #include <plait/numbers/elementary.h>
 #include <plait/numbers/splitmix.h>

@@ -24,8 +24,9 @@ public:
     void beginFrame(const State<double>& state, double t0, double t1, Workers& workers) override {
         force_->beginFrame(state, t0, t1, workers);
     }
-    void prepare(State<double>& state, Workers& workers) override {
-        meter(state, [&] { force_->prepare(state, workers); });
+    void prepare(State<double>& state, Drawer<double>& kept, double t, double h,
+                 Workers& workers) override {
+        meter(state, [&] { force_->prepare(state, kept, t, h, workers); });
     }
     void apply(State<double>& state, double t, double h, Workers& workers) override {
         meter(state, [&] { force_->apply(state, t, h, workers); });

@@ -109,18 +109,34 @@ Flapping flappingOf(const Scene& scene, double seconds) {
     return mean;
 }
 
-// Of sheet and air, J: the inverse inertia of a vertex is w I - q q^T, and the diagonal of a cell
-// is a spring of twice the shear stiffness, 15 N/m.
-double energyOf(const Solver<float>& solver, const World& world) {
+// Of the air that it carries, J: P is m phi, and moves with (a + l^2 K) phi / a.
+double airEnergy(const World& world, std::span<const float> momentum) {
+    constexpr double mass = 1.1, reach = 0.22;
     double energy = 0;
+    for (int i = 0; i < world.complex.count(2); ++i) {
+        const auto t = world.complex.triangle(i);
+        const Vec<double> x[3] = {world.rest[t[0]], world.rest[t[1]], world.rest[t[2]]};
+        const double area = length(cross(x[1] - x[0], x[2] - x[0])) / 2;
+        Vec<double> sum{0, 0, 0};
+        for (int c = 0; c < 3; ++c) {
+            const double p = double(momentum[t[c]]);
+            energy += area / 3 * p * p / (2 * mass);
+            sum += p * (x[(c + 2) % 3] - x[(c + 1) % 3]);
+        }
+        energy += reach * reach * dot(sum, sum) / (4 * area) / (2 * mass);
+    }
+    return energy;
+}
+
+// Of sheet and air, J: the diagonal of a cell is a spring of twice the shear stiffness, 15 N/m.
+double energyOf(const Solver<float>& solver, const World& world) {
     const State<float>& state = solver.state();
+    double energy = airEnergy(world, state.kept[world.sets.size() + 1].numbers);
     for (std::size_t i = 0; i < world.mass.size(); ++i) {
         if (world.pinned[i]) continue;
-        const Vec<float> q = state.airAt(i), u = state.velocity[i].v;
+        const Vec<float> u = state.velocity[i].v;
         const Vec<double> v{u.x, u.y, u.z};
-        const double w = 1 / world.mass[i], qv = dot(Vec<double>{q.x, q.y, q.z}, v);
-        const double q2 = double(dot(q, q));
-        energy += 0.5 * (dot(v, v) / w + qv * qv / (w * (w - q2)));
+        energy += 0.5 * dot(v, v) * world.mass[i];
         energy += world.mass[i] * 9.81 * state.position(static_cast<int>(i)).y;
     }
     for (int i = 0; i < world.complex.count(1); ++i) {

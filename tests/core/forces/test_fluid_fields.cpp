@@ -3,7 +3,7 @@
 #include "tests/report.h"
 #include "tests/worlds.h"
 
-#include <plait/forces/air.h>
+#include <plait/air/air.h>
 #include <plait/forces/field.h>
 #include <plait/measure/momentum.h>
 

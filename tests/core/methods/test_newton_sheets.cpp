@@ -4,7 +4,7 @@
 #include "tests/catch.h"
 #include "tests/report.h"
 
-#include <plait/forces/air.h>
+#include <plait/air/air.h>
 
 #include <cmath>
 #include <string>

@@ -4,8 +4,8 @@
 #include "tests/report.h"
 #include "tests/worlds.h"
 
+#include <plait/air/air.h>
 #include <plait/constraints/constants.h>
-#include <plait/forces/air.h>
 #include <plait/measure/momentum.h>
 #include <plait/sets/constraint_set.h>
 

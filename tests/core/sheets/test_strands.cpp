@@ -1,6 +1,6 @@
 // Strands: how links are strung, and their solve in lanes against dense algebra and DirectSet.
 #include "tests/catch.h"
-#include "tests/core/forces/air_run.h"
+#include "tests/core/air/air_run.h"
 #include "tests/report.h"
 #include "tests/sheet.h"
 #include "tests/shells.h"

@@ -2,8 +2,8 @@
 #include "tests/catch.h"
 #include "tests/worlds.h"
 
+#include <plait/air/air.h>
 #include <plait/contacts/surface.h>
-#include <plait/forces/air.h>
 #include <plait/forces/field.h>
 
 #include <cmath>

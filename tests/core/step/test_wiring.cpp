@@ -5,7 +5,7 @@
 #include "tests/small_scenes.h"
 #include "tests/worlds.h"
 
-#include <plait/forces/air.h>
+#include <plait/air/air.h>
 #include <plait/forces/field.h>
 
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "tests/report.h"
 #include "tests/worlds.h"
 
-#include <plait/forces/air.h>
+#include <plait/air/air.h>
 #include <plait/numbers/finite.h>
 
 #include <cmath>

@@ -5,8 +5,8 @@
 #include "tests/report.h"
 #include "tests/worlds.h"
 
+#include <plait/air/air.h>
 #include <plait/constraints/constants.h>
-#include <plait/forces/air.h>
 #include <plait/numbers/finite.h>
 #include <plait/sheets/strands/strand_set.h>
 

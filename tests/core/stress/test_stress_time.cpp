@@ -4,7 +4,7 @@
 #include "tests/report.h"
 #include "tests/worlds.h"
 
-#include <plait/forces/air.h>
+#include <plait/air/air.h>
 #include <plait/measure/energy.h>
 #include <plait/numbers/finite.h>
 #include <plait/relax.h>
@@ -61,7 +61,10 @@ public:
     void beginFrame(const State<Real>& state, double t0, double t1, Workers& workers) override {
         air_.beginFrame(state, t0, t1, workers);
     }
-    void prepare(State<Real>& state, Workers& workers) override { air_.prepare(state, workers); }
+    void prepare(State<Real>& state, Drawer<Real>& kept, double t, double h,
+                 Workers& workers) override {
+        air_.prepare(state, kept, t, h, workers);
+    }
     void apply(State<Real>& state, double t, double h, Workers& workers) override {
         *work_ -= kinetic(state);
         air_.apply(state, t, h, workers);

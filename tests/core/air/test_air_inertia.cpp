@@ -61,7 +61,7 @@ double allowance(const ConstraintSet<Stretch, double>& links, const Rows<Stretch
 TEMPLATE_TEST_CASE("Inertia of air: what turning brings it, it takes along the normal", "[air]",
                    double, float) {
     Run<TestType> run(crumpled(), still);
-    run.air.prepare(run.state, run.workers);
+    run.prepare();
     Random random(2);
     for (int trial = 0; trial < 20; ++trial) {
         const State<TestType> before = run.state;
@@ -70,7 +70,7 @@ TEMPLATE_TEST_CASE("Inertia of air: what turning brings it, it takes along the n
             run.state.velocity[i].v = narrowed<TestType>(random.point(10));
         }
         const State<TestType> turned = run.state;
-        run.air.prepare(run.state, run.workers);
+        run.prepare();
         int taken = 0, left = 0;
         double gained = 0, aside = 0;
         for (int i = 0; i < run.state.count(); ++i) {

@@ -15,9 +15,10 @@ struct World;
 
 // An edge or a triangle at rest.
 struct RestFacet {
-    std::array<int, 3> vertices;  // of an edge the first two
-    double size;                  // length (m) or area (m^2)
-    double area;                  // m^2
+    std::array<int, 3> vertices;            // of an edge the first two
+    double size;                            // length (m) or area (m^2)
+    double area;                            // m^2
+    std::array<Vec<double>, 3> sides = {};  // m, of a triangle: opposite its vertices
 };
 
 // Edges and triangles, in places 0 and 1 as in AirTable.

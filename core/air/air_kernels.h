@@ -28,6 +28,26 @@ struct AroundBlocks {
     const Real* added;  // kg of air, a number a vertex
 };
 
+// The air that a sheet carries, beside the facets and vertices of its triangles. What is by vertex
+// goes by its place in AroundBlocks, but for what says so.
+template <class Real>
+struct CarriedBlocks {
+    Real* ways;     // 4 a facet: area times how fast the air goes along it to each of its corners
+                    // from the side across, m^2/s, and what goes through it, m^3/s
+    Real* rates;    // of a facet, 1/s: the largest of these by area
+    Real* slopes;   // of a facet: a third of its area times how a field changes for the air
+    Real* normals;  // 4: unit normal, and the air's speed along it, m/s
+    Real* right;    // MomentumFilter::solve()
+    const Real* phi;
+    const Real* areas;  // at rest, m^2
+    const Real* open;   // 1/m^2: the inverse of it, less where air flows in at a border
+    Real* momentum;     // of a vertex of the world: along the normal and by area, N s/m^2
+    Real* velocity;     // 4 a vertex of the world: m/s, when the substep began
+    Real* other;        // likewise, as changed since or where `velocity` is; or null
+    Real* impulses;     // 4: N s
+    Real mass;          // kg/m^2
+};
+
 // A substep, for all facets alike.
 template <class Real>
 struct AirStep {
@@ -45,6 +65,20 @@ template <class Real>
 using AroundKernel = void (*)(const AirStep<Real>&, const AroundBlocks<Real>&, const Real* records,
                               int begin, int end);
 
+template <class Real>
+using WayKernel = void (*)(const AirStep<Real>&, const FacetBlocks<Real>&,
+                           const CarriedBlocks<Real>&, int begin, int end);
+template <class Real>
+using SlopeKernel = void (*)(const FacetBlocks<Real>&, const CarriedBlocks<Real>&,
+                             const Real* field, int begin, int end);
+template <class Real>
+using CarryKernel = void (*)(const AroundBlocks<Real>&, const CarriedBlocks<Real>&, Real seconds,
+                             const Real* from, Real* to, int begin, int end);
+template <class Real>
+using MeetKernel = void (*)(const AirStep<Real>&, const FacetBlocks<Real>&,
+                            const AroundBlocks<Real>&, const CarriedBlocks<Real>&, int begin,
+                            int end);
+
 // By what they write.
 template <class Real>
 struct AirTable {
@@ -52,6 +86,10 @@ struct AirTable {
     AroundKernel<Real> inertia;        // from the sides of triangles
     FacetKernel<Real> impulses[2][2];  // from sides and velocities; [1][]: in `legacy`
     AroundKernel<Real> velocities;     // from impulses
+    WayKernel<Real> ways;              // and rates
+    SlopeKernel<Real> slopes;
+    CarryKernel<Real> carried;  // a field a time later, if slopes were those of `from`
+    MeetKernel<Real> normals, right, exchanged;
 };
 
 // Throws std::invalid_argument if `choice` is not available.

@@ -78,6 +78,18 @@ template <class T>
     }
 }
 
+// The air where facet n is, m/s.
+template <class T>
+Vec<T> airAt(const AirStep<Scalar<T>>& step, const FacetBlocks<Scalar<T>>& facets, int n) {
+    Vec<T> air{T(step.wind[0]), T(step.wind[1]), T(step.wind[2])};
+    if (facets.gusts) {
+        const int lane = n % blockSize;
+        const Scalar<T>* gusts = facets.gusts + 6 * (n - lane) + lane;
+        air += vector<T>(gusts, 0) + T(step.gust) * vector<T>(gusts, 3);
+    }
+    return air;
+}
+
 template <class T, int corners>
 Facet<T> facetAt(const AirStep<Scalar<T>>& step, const FacetBlocks<Scalar<T>>& facets, int n,
                  bool legacy) {
@@ -86,12 +98,8 @@ Facet<T> facetAt(const AirStep<Scalar<T>>& step, const FacetBlocks<Scalar<T>>& f
     const Scalar<T>* row = facets.rows + (2 + corners) * first + lane;
     const Quad<T> side = gather<T>(facets.sides + 4 * n, consecutive, 4);
 
-    Vec<T> u{T(step.wind[0]), T(step.wind[1]), T(step.wind[2])};
-    if (facets.gusts) {
-        const Scalar<T>* gusts = facets.gusts + 6 * first + lane;
-        u += vector<T>(gusts, 0) + T(step.gust) * vector<T>(gusts, 3);
-    }
-    u -= T(1.0 / corners) * gatherSum<T>(step.velocity, ids, blockSize, corners, 4).xyz;
+    const Vec<T> u = airAt<T>(step, facets, n) -
+                     T(1.0 / corners) * gatherSum<T>(step.velocity, ids, blockSize, corners, 4).xyz;
 
     const T size = length(side.xyz);
     Vec<T> normal = divide(T(1), size) * side.xyz;
@@ -140,14 +148,6 @@ template <class T>
         scatterAdd<T>(step.velocity, vertices, 4, change);
     }
 }
-
-template <class T>
-inline constexpr AirTable<Scalar<T>> airKernelsOf = {
-    {writeSides<T, 2>, writeSides<T, 3>},
-    writeInertia<T>,
-    {{writeImpulses<T, 2, false>, writeImpulses<T, 3, false>},
-     {writeImpulses<T, 2, true>, writeImpulses<T, 3, true>}},
-    writeVelocities<T>};
 
 }  // namespace PLAIT_ISA
 }  // namespace plait

@@ -1,7 +1,7 @@
 #include "skin.h"
 
+#include "../forces/body.h"
 #include "../world.h"
-#include "body.h"
 
 #include <algorithm>
 
@@ -29,7 +29,8 @@ RestFacets restFacets(const World& world, std::span<const Range> objects, double
         const double area = length(cross(at(v[1]) - at(v[0]), at(v[2]) - at(v[0]))) / 2;
         const bool outside = solids[static_cast<std::size_t>(i)] < 2;
         if (outside && acts(v[0]) && acts(v[1]) && acts(v[2]) && area > tiny)
-            facets[1].push_back({v, area, area});
+            facets[1].push_back(
+                {v, area, area, {at(v[2]) - at(v[1]), at(v[0]) - at(v[2]), at(v[1]) - at(v[0])}});
     }
     for (int i = 0; i < world.complex.count(1); ++i) {
         const auto [a, b] = world.complex.edge(i);

@@ -1,7 +1,7 @@
 #include "air.h"
 
+#include "../forces/noise.h"
 #include "../world.h"
-#include "noise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +22,13 @@ void validate(const AirOptions& options) {
           wind.noiseDrift.y, wind.noiseDrift.z})
         refuse(!std::isfinite(value), "all numbers must be finite");
     refuse(options.addedMass < 0, "added mass must not be negative");
+    for (const double value : {options.carried.mass, options.carried.reach})
+        refuse(!(value >= 0) || !std::isfinite(value),
+               "mass and reach of carried air must be finite and not negative");
+    refuse(options.carried.mass > 0 && options.carried.reach == 0,
+           "carried air must reach somewhere");
+    refuse(options.carried.mass > 0 && options.addedMass > 0,
+           "carried air is all of its added mass");
     refuse(options.width < 0, "width must not be negative");
     refuse(options.interval < 1, "interval must be at least 1");
     refuse(wind.noise < 0, "noise must not be negative");
@@ -60,6 +67,11 @@ void actAir(World& world, const AirOptions& options) {
         world.forces.back().offer("without " + without, World::recipeOfForce<Air>(less));
     };
     offer("added mass", &AirOptions::addedMass);
+    if (options.carried.mass > 0) {
+        AirOptions less = options;
+        less.carried = {};
+        world.forces.back().offer("without what it carries", World::recipeOfForce<Air>(less));
+    }
     offer("drag along itself", &AirOptions::tangentialDrag);
     offer("lift", &AirOptions::lift);
     AirOptions calm = options, rare = options;
@@ -77,6 +89,10 @@ Air<Real>::Air(const World& world, const AirOptions& options, KernelChoice kerne
       vertices_(world.rest.size()),
       skins_(skinsOf<Real>(facetsOf(world, options), static_cast<int>(world.rest.size()),
                            options.addedMass)) {
+    if (options.carried.mass > 0)
+        carried_ = std::make_unique<CarriedAir<Real>>(
+            restFacets(world, options.objects, options.width)[1],
+            static_cast<int>(world.rest.size()), options.carried);
     if (options.wind.noise > 0)
         for (AirSkin<Real>& skin : skins_) skin.makeGusts();
 }
@@ -91,6 +107,7 @@ Vec<double> Air<Real>::gust(const Vec<double>& x, double t) const {
 template <class Real>
 void Air<Real>::furnish(Drawer<Real>& kept) const {
     if (hasInertia()) kept.numbers.assign(4 * (vertices_ + 1), Real(0));
+    if (carried_) kept.numbers.assign(carried_->numbers(), Real(0));
 }
 
 template <class Real>
@@ -110,8 +127,12 @@ void Air<Real>::beginFrame(const State<Real>& state, double t0, double t1, Worke
 }
 
 template <class Real>
-AirStep<Real> Air<Real>::stepOf(State<Real>& state) const {
+AirStep<Real> Air<Real>::stepOf(State<Real>& state, double t) const {
     AirStep<Real> step{};
+    step.wind[0] = static_cast<Real>(wind_.x);
+    step.wind[1] = static_cast<Real>(wind_.y);
+    step.wind[2] = static_cast<Real>(wind_.z);
+    step.gust = static_cast<Real>(divide(t - from_, to_ - from_));
     step.particles = &state.particles[0].x.x;
     step.velocity = &state.velocity[0].v.x;
     step.inertia = state.air();
@@ -119,15 +140,21 @@ AirStep<Real> Air<Real>::stepOf(State<Real>& state) const {
 }
 
 template <class Real>
-void Air<Real>::prepare(State<Real>& state, Workers& workers) {
+void Air<Real>::prepare(State<Real>& state, Drawer<Real>& kept, double t, double h,
+                        Workers& workers) {
     if (rests(state)) return;
-    const AirStep<Real> step = stepOf(state);
+    if (!(t >= from_ && t < to_)) beginFrame(state, t, t, workers);  // there are no frames
+    wind_ = options_.wind.velocity ? options_.wind.velocity(t) : Vec<double>{};
+    const AirStep<Real> step = stepOf(state, t);
     for (std::size_t kind = 0; kind < 2; ++kind) {
         const FacetBlocks<Real> facets = skins_[kind].blocks();
         workers.forBlocks(skins_[kind].size(), grain, [&](int begin, int end) {
             kernels_.sides[kind](step, facets, begin, end);
         });
     }
+    if (carried_)
+        carried_->exchange(state, kept.numbers.data(), step, skins_[1], kernels_,
+                           h * options_.interval, workers);
     if (!hasInertia()) return;
     const AroundBlocks<Real> around = skins_[1].around();
     workers.forBlocks(skins_[1].vertices(), grain, [&](int begin, int end) {
@@ -138,16 +165,10 @@ void Air<Real>::prepare(State<Real>& state, Workers& workers) {
 template <class Real>
 void Air<Real>::apply(State<Real>& state, double t, double h, Workers& workers) {
     if (rests(state)) return;
-    if (!(t >= from_ && t < to_)) beginFrame(state, t, t, workers);  // there are no frames
     const bool legacy = options_.form == AirForm::legacy;
-    const Vec<double> wind = options_.wind.velocity ? options_.wind.velocity(t) : Vec<double>{};
     const double force = h * options_.interval * options_.density * (legacy ? 1 : 0.5),
                  drag = force * options_.drag;
-    AirStep<Real> step = stepOf(state);
-    step.wind[0] = static_cast<Real>(wind.x);
-    step.wind[1] = static_cast<Real>(wind.y);
-    step.wind[2] = static_cast<Real>(wind.z);
-    step.gust = static_cast<Real>(divide(t - from_, to_ - from_));
+    AirStep<Real> step = stepOf(state, t);
     step.drag = static_cast<Real>(drag);
     step.tangential = static_cast<Real>(drag * options_.tangentialDrag);
     step.lift = static_cast<Real>(force * options_.lift);
@@ -167,7 +188,7 @@ void Air<Real>::apply(State<Real>& state, double t, double h, Workers& workers) 
 
 template <class Real>
 Vec<double> Air<Real>::impulse() const {
-    Vec<double> sum{0, 0, 0};
+    Vec<double> sum = carried_ ? carried_->impulse() : Vec<double>{};
     for (const AirSkin<Real>& skin : skins_)
         for (const Padded<Real>& p : skin.impulses)
             sum +=

@@ -1,10 +1,28 @@
 // Compiled once for each of x86-64-v2, -v3 and -v4, as kernels/kernels.cpp is.
 #include "air_loop.h"
+#include "carried_loop.h"
 
 #define PLAIT_JOIN2(a, b) a##_##b
 #define PLAIT_JOIN(a, b) PLAIT_JOIN2(a, b)
 
 namespace plait {
+inline namespace PLAIT_ISA {
+
+template <class T>
+inline constexpr AirTable<Scalar<T>> airKernelsOf = {
+    {writeSides<T, 2>, writeSides<T, 3>},
+    writeInertia<T>,
+    {{writeImpulses<T, 2, false>, writeImpulses<T, 3, false>},
+     {writeImpulses<T, 2, true>, writeImpulses<T, 3, true>}},
+    writeVelocities<T>,
+    writeWays<T>,
+    writeSlopes<T>,
+    writeCarried<T>,
+    writeNormals<T>,
+    writeRight<T>,
+    writeExchanged<T>};
+
+}  // namespace PLAIT_ISA
 
 // Null for a width that this copy does not have.
 const AirTable<float>* PLAIT_JOIN(floatAir, PLAIT_ISA)(int lanes) {

@@ -34,9 +34,11 @@
 
 #include "../complex/complex.h"
 #include "../force.h"
+#include "carried_air.h"
 #include "skin.h"
 #include "wind.h"
 
+#include <memory>
 #include <vector>
 
 namespace plait {
@@ -58,6 +60,9 @@ struct AirOptions {
     // 0.5 kg/m^2 (measured on silk of 0.41 x 0.28 m). Of several airs on one vertex the last has
     // its way.
     double addedMass = 0;
+    // Air that moves with a sheet and that the wind carries along it: what flags flutter by. In
+    // place of `addedMass`, which forgets.
+    CarriedAirOptions carried = {};
     double width = 0.01;              // m, of a curve: its area per length
     int interval = 1;                 // substeps from one push to the next, which is for them all
     std::vector<Range> objects = {};  // that the air acts on; empty: everything
@@ -72,16 +77,18 @@ void actAir(World& world, const AirOptions& options);
 template <class Real>
 class Air : public Force<Real> {
 public:
-    // Throws std::invalid_argument for numbers that are not finite, a noise, added mass or width
-    // below 0, a noise length or time not above 0, an interval below 1, objects that the world has
-    // not, and kernels that are not available.
+    // Throws std::invalid_argument for numbers that are not finite, a noise, mass, reach or width
+    // below 0, mass carried that reaches nowhere or beside added mass, triangles that carry air and
+    // go round an edge the same way, a noise length or time not above 0, an interval below 1,
+    // objects that the world has not, and kernels that are not available.
     Air(const World& world, const AirOptions& options, KernelChoice kernels = bestKernels());
 
     std::string name() const override { return "air"; }
     void furnish(Drawer<Real>& kept) const override;
     bool hasInertia() const override { return options_.addedMass > 0; }
     void beginFrame(const State<Real>& state, double t0, double t1, Workers& workers) override;
-    void prepare(State<Real>& state, Workers& workers) override;
+    void prepare(State<Real>& state, Drawer<Real>& kept, double t, double h,
+                 Workers& workers) override;
     void apply(State<Real>& state, double t, double h, Workers& workers) override;
 
     // N s that the air last gave, what pins took included.
@@ -90,13 +97,15 @@ public:
 private:
     Vec<double> gust(const Vec<double>& x, double t) const;
     bool rests(const State<Real>& state) const { return state.substep % options_.interval != 0; }
-    AirStep<Real> stepOf(State<Real>& state) const;
+    AirStep<Real> stepOf(State<Real>& state, double t) const;
 
     AirOptions options_;
     const AirTable<Real>& kernels_;
     std::size_t vertices_;
     std::array<AirSkin<Real>, 2> skins_;  // edges, triangles
-    double from_ = 0, to_ = 0;            // s, the frame that gusts are known for
+    std::unique_ptr<CarriedAir<Real>> carried_;
+    double from_ = 0, to_ = 0;  // s, the frame that gusts are known for
+    Vec<double> wind_{};        // m/s, of the substep
 };
 
 }  // namespace plait

@@ -4,7 +4,7 @@
 #include "tests/hand_state.h"
 #include "tests/random.h"
 
-#include <plait/forces/air.h>
+#include <plait/air/air.h>
 #include <plait/forces/gravity.h>
 
 #include <cmath>
@@ -49,6 +49,10 @@ struct Run {
 
     void fall(int substeps, double h) {
         for (int s = 0; s < substeps; ++s) act<Real>(state, {&gravity, &air}, h, workers);
+    }
+    void prepare() {
+        Drawer<Real> none;
+        air.prepare(state, none, 0, 0, workers);
     }
     void blow(double h) { act<Real>(state, {&air}, h, workers); }
     Vec<double> velocity() const { return widened(state.velocity[0].v); }
