@@ -7,11 +7,12 @@
 // first part is inertia, the others are what makes flags flutter. With an A that is alike for all
 // waves they would flutter at the size of the mesh.
 //
-// As a substep begins, P, the momentum by area and vertex, is carried along (linear elements with
-// lumped masses, midpoint rule: of second order), in as many steps as the wind needs. Then sheet
-// and air meet: (M + A) u' = M u + p, with p what of P lies along the normal. What lies across it
-// goes with the wind. Meeting can only lose energy, for any time since the last. What carrying
-// brings is the wind's. Where the wind comes in at a border the air has met the border already.
+// As a substep begins, P, the momentum by area along the normal, is carried along the sheet (linear
+// elements with lumped masses, midpoint rule: of second order), in as many steps as the wind needs.
+// Then sheet and air meet: (M + A) u' = M u + a P. Meeting can only lose energy, for any time since
+// the last; what carrying brings is the wind's. P turns with the sheet, as the jump of a potential
+// does: kept as a vector, what is rough in the normals of a crumpled sheet struck its vertices.
+// Where the wind comes in at a border the air has met the border already.
 #pragma once
 
 #include "../kernels/workers.h"
@@ -38,8 +39,8 @@ public:
     // Numbers of P: one a vertex, the padding vertex included.
     std::size_t numbers() const { return static_cast<std::size_t>(vertices_) + 1; }
 
-    // To `velocity` and `past` of the state, which stand where the substep began, and to
-    // `momentum`, P, what `seconds` since the last exchange bring. Facets have their sides; `step`
+    // To `velocity` and `lastVelocity` of the state, and to `momentum`, P, what `seconds` since the
+    // last exchange bring, as a substep begins. Facets have their sides; `step`
     // its wind and gusts.
     void exchange(State<Real>& state, Real* momentum, const AirStep<Real>& step,
                   AirSkin<Real>& skin, const AirTable<Real>& kernels, double seconds,
