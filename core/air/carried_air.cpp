@@ -1,6 +1,9 @@
 #include "carried_air.h"
 
+#include "momentum_filter.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -25,15 +28,15 @@ CarriedAir<Real>::CarriedAir(std::span<const RestFacet> triangles, int vertices,
                              const CarriedAirOptions& options)
     : options_(options),
       vertices_(vertices),
-      filter_(triangles, vertices, options.mass, options.reach) {
+      filter_(std::make_unique<MomentumFilter>(triangles, vertices, options.mass, options.reach)) {
     const auto wholeBlocks = [](std::size_t count) {
         return (count + blockSize - 1) / blockSize * blockSize;
     };
-    const std::size_t places = static_cast<std::size_t>(filter_.size()), all = wholeBlocks(places),
+    const std::size_t places = static_cast<std::size_t>(filter_->size()), all = wholeBlocks(places),
                       facets = wholeBlocks(triangles.size());
     vertexAt_.resize(places);
     for (int v = 0; v < vertices; ++v)
-        if (filter_.place(v) >= 0) vertexAt_[filter_.place(v)] = v;
+        if (filter_->place(v) >= 0) vertexAt_[filter_->place(v)] = v;
     right_.resize(places), phi_.resize(places);
     rates_.resize(facets), ways_.resize(facets);
     slopes_.resize(facets + 1);  // the last stays 0: around what lies at fewer facets
@@ -43,7 +46,7 @@ CarriedAir<Real>::CarriedAir(std::span<const RestFacet> triangles, int vertices,
     middle_.resize(static_cast<std::size_t>(vertices) + 1);
     for (const RestFacet& facet : triangles)
         for (const int v : facet.vertices)
-            areas_[filter_.place(v)] += static_cast<Real>(facet.area / 3);
+            areas_[filter_->place(v)] += static_cast<Real>(facet.area / 3);
     for (std::size_t n = 0; n < places; ++n) open_[n] = 1 / areas_[n];
     findBorder(triangles);
 }
@@ -56,7 +59,7 @@ void CarriedAir<Real>::findBorder(std::span<const RestFacet> triangles) {
             ++edges[{facet.vertices[c], facet.vertices[(c + 1) % 3]}];
     std::map<int, BorderVertex> border;
     const auto at = [&](int v) -> BorderVertex& {
-        return border.try_emplace(v, BorderVertex{filter_.place(v), v, v, v}).first->second;
+        return border.try_emplace(v, BorderVertex{filter_->place(v), v, v, v}).first->second;
     };
     for (const auto& [edge, count] : edges) {
         const auto [a, b] = edge;
@@ -124,13 +127,13 @@ void CarriedAir<Real>::weigh(const State<Real>& state) {
         same = same && w == w_[n];
         w_[n] = w;
     }
-    if (!same) filter_.factor(w_);
+    if (!same) filter_->factor(w_);
 }
 
 template <class Real>
 void CarriedAir<Real>::solve() {
     for (std::size_t n = 0; n < right_.size(); ++n) right_[n] = double(flatRight_[n]);
-    filter_.solve(right_, phi_);
+    filter_->solve(right_, phi_);
     for (std::size_t n = 0; n < phi_.size(); ++n) flatPhi_[n] = static_cast<Real>(phi_[n]);
 }
 
@@ -180,12 +183,15 @@ template <class Write>
 void CarriedAir<Real>::begin(Real* momentum, const Write& writeRight) {
     std::fill_n(momentum, numbers(), Real(0));
     writeRight();
-    filter_.factor(std::vector<double>(w_.size()));
+    filter_->factor(std::vector<double>(w_.size()));
     solve();
-    filter_.factor(w_);
+    filter_->factor(w_);
     for (std::size_t n = 0; n < vertexAt_.size(); ++n)
         momentum[vertexAt_[n]] = static_cast<Real>(options_.mass) * flatPhi_[n];
 }
+
+template <class Real>
+CarriedAir<Real>::~CarriedAir() = default;
 
 template <class Real>
 Vec<double> CarriedAir<Real>::impulse() const {

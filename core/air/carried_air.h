@@ -16,13 +16,15 @@
 #pragma once
 
 #include "../kernels/workers.h"
-#include "momentum_filter.h"
+#include "skin.h"
 
-#include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace plait {
+
+class MomentumFilter;  // its header wants Eigen, which a program with air need not have
 
 struct CarriedAirOptions {
     double mass = 0;   // kg/m^2, of long waves; 0: none is carried
@@ -35,6 +37,7 @@ public:
     // Throws std::invalid_argument where two triangles at an edge go round it the same way.
     CarriedAir(std::span<const RestFacet> triangles, int vertices,
                const CarriedAirOptions& options);
+    ~CarriedAir();
 
     // Numbers of P: one a vertex, the padding vertex included.
     std::size_t numbers() const { return static_cast<std::size_t>(vertices_) + 1; }
@@ -65,7 +68,7 @@ private:
 
     CarriedAirOptions options_;
     int vertices_;
-    MomentumFilter filter_;
+    std::unique_ptr<MomentumFilter> filter_;
     std::vector<int> vertexAt_;  // by place
     std::vector<BorderVertex> border_;
     std::vector<double> w_, right_, phi_;  // by place
