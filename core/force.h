@@ -18,8 +18,6 @@ public:
 
     // What it keeps past a substep, as a run begins.
     virtual void furnish(Drawer<Real>&) const {}
-    // True: it writes State::air(), which is in the drawer of the first that does.
-    virtual bool hasInertia() const { return false; }
     // The acceleration that it gives to all that is not pinned, m/s^2.
     virtual Vec<double> fall() const { return {0, 0, 0}; }
 
@@ -27,21 +25,19 @@ public:
     // [IN29].
     virtual void beginFrame(const State<Real>&, double /*t0*/, double /*t1*/, Workers&) {}
     // Before any force of a substep of h seconds that begins at time t, where everything stays
-    // until all have been applied: what follows from positions; the inertia of the air, written to
-    // state.air(), with what it takes from velocities; and what changes them at once, lastVelocity
-    // among them where there is one. `kept` is its drawer.
+    // until all have been applied: what follows from positions, and what changes velocities at
+    // once, lastVelocity among them where there is one. `kept` is its drawer.
     virtual void prepare(State<Real>&, Drawer<Real>& /*kept*/, double /*t*/, double /*h*/,
                          Workers&) {}
-    // v <- v + h W f for a substep of h seconds that begins at time t. Vertices without inverse
+    // v <- v + h w f for a substep of h seconds that begins at time t. Vertices without inverse
     // mass stay as they are.
     virtual void apply(State<Real>&, double t, double h, Workers&) = 0;
 };
 
-// v <- v + W p for an impulse p in N s, with W = w I - q q^T.
+// v <- v + w p for an impulse p in N s.
 template <class Real>
 void push(State<Real>& state, std::size_t i, const Vec<Real>& p) {
-    const Vec<Real> q = state.airAt(i);
-    state.velocity[i].v += state.particles[i].w * p - dot(q, p) * q;
+    state.velocity[i].v += state.particles[i].w * p;
 }
 
 }  // namespace plait

@@ -98,7 +98,6 @@ Sweep<Real> Solver<Real>::sweepOf(int set) {
                             ? nucleusSweep<Real>(schedule_.strength(set))
                             : xpbdSweep<Real>(implied_);
     sweep.particles = &state_.particles[0].x.x;
-    sweep.air = state_.air();
     sweep.before = &state_.before[0].v.x;
     sweep.kept = drawerOf(set).numbers.data();
     return sweep;
@@ -295,7 +294,7 @@ void Solver<Real>::restore(const State<Real>& state, long evaluations) {
             sizes.insert(sizes.end(), {drawer.numbers.size(), drawer.integers.size()});
         return sizes;
     };
-    if (sizesOf(state) != sizesOf(state_) || state.inertia != state_.inertia)
+    if (sizesOf(state) != sizesOf(state_))
         throw std::invalid_argument("a state of another world cannot be restored");
     state_ = state;
     evaluations_ = evaluations;

@@ -93,9 +93,7 @@ void Solver<Real>::setUpMethod() {
     std::vector<NamedSet<Real>> named;
     for (std::size_t s = 0; s < sets_.size(); ++s)
         named.push_back({world_->sets[s].options.name, world_->sets[s].contact, sets_[s].get()});
-    const bool inertia = std::any_of(forces_.begin(), forces_.end(),
-                                     [](const auto& force) { return force->hasInertia(); });
-    whole_ = makeWholeStep(options_, named, state_, inertia);
+    whole_ = makeWholeStep(options_, named, state_);
 }
 
 // What nobody in the run will read is not there.
@@ -106,14 +104,8 @@ void Solver<Real>::setUpDrawers() {
     state_.kept.resize(sets_.size() + forces_.size() + 1);
     for (std::size_t s = 0; s < sets_.size(); ++s) sets_[s]->furnish(state_.kept[s]);
     forContacts([&](const auto& set, int) { past = past || set.needsPast(); });
-    for (std::size_t f = 0; f < forces_.size(); ++f) {
-        const int place = static_cast<int>(sets_.size() + f);
-        if (forces_[f]->hasInertia()) {
-            if (state_.inertia >= 0) continue;
-            state_.inertia = place;
-        }
-        forces_[f]->furnish(drawerOf(place));
-    }
+    for (std::size_t f = 0; f < forces_.size(); ++f)
+        forces_[f]->furnish(state_.kept[sets_.size() + f]);
     if (whole_) whole_->furnish(state_.kept.back());
     if (past) state_.last.resize(state_.particles.size(), Padded<Real>{});
     if (bdf2 || options_.limitAcceleration || whole_)

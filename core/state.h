@@ -57,9 +57,6 @@ struct State {
     // velocity when the substep began.
     std::vector<Padded<Real>> last, lastVelocity;
     std::vector<Drawer<Real>> kept;  // by set, then by force, then the method's
-    int inertia = -1;                // whose drawer has q of the inverse inertia w I - q q^T of the
-                                     // last substep, kg^(-1/2), 4 numbers a vertex: added mass of
-                                     // the air; -1: every q is 0
     bool hasPast = false;            // last and lastVelocity hold the substep before this one
     long substep = 0;                // since the start of the run
 
@@ -69,14 +66,6 @@ struct State {
         const Particle<Real>& p = particles[static_cast<std::size_t>(i)];
         return {double(p.x.x) + double(p.d.x), double(p.x.y) + double(p.d.y),
                 double(p.x.z) + double(p.d.z)};
-    }
-
-    // q of all vertices; null: every q is 0.
-    const Real* air() const { return inertia < 0 ? nullptr : kept[place()].numbers.data(); }
-    Real* air() { return inertia < 0 ? nullptr : kept[place()].numbers.data(); }
-    Vec<Real> airAt(std::size_t i) const {
-        const Real* const q = air();
-        return q ? Vec<Real>{q[4 * i], q[4 * i + 1], q[4 * i + 2]} : Vec<Real>{0, 0, 0};
     }
 
     // Every array by vertex, in the order in which files and hashes have them.
@@ -99,9 +88,6 @@ struct State {
         }
         return sum;
     }
-
-private:
-    std::size_t place() const { return static_cast<std::size_t>(inertia); }
 };
 
 }  // namespace plait

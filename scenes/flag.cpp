@@ -36,8 +36,8 @@ constexpr double mending = 0.018;      // of a thread's length
 // meets that where k = 1 / reach if the mass is 4 rho reach. Of the longest waves a strip as wide
 // as the hoist carries pi / 4 rho of its width: as much.
 constexpr CarriedAirOptions carried{.mass = 1.1, .reach = 0.22};
-// Threads pull within a substep. The air takes (density + added mass) / (rho Cd u / 2) to change a
-// velocity, 80 ms at u = 10 m/s, and is asked every 2 ms.
+// Threads pull within a substep. The air takes (density + carried mass) / (rho Cd u / 2) to change
+// a velocity, 90 ms at u = 10 m/s where k = 1 / reach, and is asked every 2 ms.
 constexpr int airInterval = 3;
 
 // The wind of the film: it blows, calms, freshens and gusts. Parts of the mean wind by time (s).

@@ -243,7 +243,7 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
          .ingredients = {"grip", "stretch", "shear", "bend", "contact", "friction", "gravity",
                          "air"},
          .omissions = {"fingers: what is taken does not slip",
-                       "added mass of the air: cotton is heavier than it"},
+                       "the air that it carries with it: cotton is heavier"},
          .knobs = {{.name = "fabric",
                     .meaning = "of the handkerchief",
                     .choices = {"silk", "cotton", "burlap", "leather"},

@@ -31,19 +31,6 @@ State<Real> stateOf(const World& world) {
     return state;
 }
 
-// The drawer of a force with inertia, every q being 0; and the q of vertex i.
-template <class Real>
-void giveAir(State<Real>& state) {
-    state.kept.resize(1);
-    state.inertia = 0;
-    state.kept[0].numbers.assign(4 * state.particles.size(), Real(0));
-}
-template <class Real>
-void setAir(State<Real>& state, std::size_t i, const Vec<Real>& q) {
-    Real* const at = state.air() + 4 * i;
-    at[0] = q.x, at[1] = q.y, at[2] = q.z;
-}
-
 // One substep of forces alone; positions stay.
 template <class Real>
 void act(State<Real>& state, std::initializer_list<Force<Real>*> forces, double h, Workers& workers,

@@ -16,19 +16,15 @@ void validate(const AirOptions& options) {
         if (bad) throw std::invalid_argument(std::string("air: ") + what);
     };
     const Wind& wind = options.wind;
-    for (const double value :
-         {options.density, options.drag, options.tangentialDrag, options.lift, options.addedMass,
-          options.width, wind.noise, wind.noiseLength, wind.noiseTime, wind.noiseDrift.x,
-          wind.noiseDrift.y, wind.noiseDrift.z})
+    for (const double value : {options.density, options.drag, options.tangentialDrag, options.lift,
+                               options.width, wind.noise, wind.noiseLength, wind.noiseTime,
+                               wind.noiseDrift.x, wind.noiseDrift.y, wind.noiseDrift.z})
         refuse(!std::isfinite(value), "all numbers must be finite");
-    refuse(options.addedMass < 0, "added mass must not be negative");
     for (const double value : {options.carried.mass, options.carried.reach})
         refuse(!(value >= 0) || !std::isfinite(value),
                "mass and reach of carried air must be finite and not negative");
     refuse(options.carried.mass > 0 && options.carried.reach == 0,
            "carried air must reach somewhere");
-    refuse(options.carried.mass > 0 && options.addedMass > 0,
-           "carried air is all of its added mass");
     refuse(options.width < 0, "width must not be negative");
     refuse(options.interval < 1, "interval must be at least 1");
     refuse(wind.noise < 0, "noise must not be negative");
@@ -42,10 +38,10 @@ RestFacets facetsOf(const World& world, const AirOptions& options) {
 }
 
 template <class Real>
-std::array<AirSkin<Real>, 2> skinsOf(const RestFacets& facets, int vertices, double added) {
+std::array<AirSkin<Real>, 2> skinsOf(const RestFacets& facets, int vertices) {
     const std::vector<double> shares = areaShares(facets, vertices);
-    return {AirSkin<Real>(2, facets[0], shares, added, vertices),
-            AirSkin<Real>(3, facets[1], shares, added, vertices)};
+    return {AirSkin<Real>(2, facets[0], shares, vertices),
+            AirSkin<Real>(3, facets[1], shares, vertices)};
 }
 
 }  // namespace
@@ -66,7 +62,6 @@ void actAir(World& world, const AirOptions& options) {
         less.*part = 0;
         world.forces.back().offer("without " + without, World::recipeOfForce<Air>(less));
     };
-    offer("added mass", &AirOptions::addedMass);
     if (options.carried.mass > 0) {
         AirOptions less = options;
         less.carried = {};
@@ -86,9 +81,7 @@ template <class Real>
 Air<Real>::Air(const World& world, const AirOptions& options, KernelChoice kernels)
     : options_(options),
       kernels_(airKernels<Real>(kernels)),
-      vertices_(world.rest.size()),
-      skins_(skinsOf<Real>(facetsOf(world, options), static_cast<int>(world.rest.size()),
-                           options.addedMass)) {
+      skins_(skinsOf<Real>(facetsOf(world, options), static_cast<int>(world.rest.size()))) {
     if (options.carried.mass > 0)
         carried_ = std::make_unique<CarriedAir<Real>>(
             restFacets(world, options.objects, options.width)[1],
@@ -106,7 +99,6 @@ Vec<double> Air<Real>::gust(const Vec<double>& x, double t) const {
 
 template <class Real>
 void Air<Real>::furnish(Drawer<Real>& kept) const {
-    if (hasInertia()) kept.numbers.assign(4 * (vertices_ + 1), Real(0));
     if (carried_) kept.numbers.assign(carried_->numbers(), Real(0));
 }
 
@@ -135,7 +127,6 @@ AirStep<Real> Air<Real>::stepOf(State<Real>& state, double t) const {
     step.gust = static_cast<Real>(divide(t - from_, to_ - from_));
     step.particles = &state.particles[0].x.x;
     step.velocity = &state.velocity[0].v.x;
-    step.inertia = state.air();
     return step;
 }
 
@@ -155,11 +146,6 @@ void Air<Real>::prepare(State<Real>& state, Drawer<Real>& kept, double t, double
     if (carried_)
         carried_->exchange(state, kept.numbers.data(), step, skins_[1], kernels_,
                            h * options_.interval, workers);
-    if (!hasInertia()) return;
-    const AroundBlocks<Real> around = skins_[1].around();
-    workers.forBlocks(skins_[1].vertices(), grain, [&](int begin, int end) {
-        kernels_.inertia(step, around, &skins_[1].sides[0].v.x, begin, end);
-    });
 }
 
 template <class Real>

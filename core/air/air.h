@@ -1,5 +1,5 @@
 // Air: drag, tangential drag and lift on each triangle, and on each edge that no triangle has; and
-// the inertia of the air that a sheet carries with it [AW1-AW8, X9].
+// the air that a sheet carries with it [AW1-AW8, X9].
 //
 // A facet of area A with unit normal n (of an edge: along the part of u across it) meets the air at
 // u = wind - v, v its vertices' mean velocity; u = un n + ut. The force on it, by form:
@@ -53,15 +53,9 @@ struct AirOptions {
     double drag = 1;               // physical: 1.2 is a flat plate; legacy: m/s
     double tangentialDrag = 0.05;  // 0 slips like a knife, 1 is as sticky as a sphere
     double lift = 0;
-    // kg/m^2 of air that moves along the normal with the sheet: inertia without weight. A thin
-    // sheet that waves with the wave number k carries 2 rho / k (potential flow on both sides),
-    // more than its own mass for silk. Without it a flag's frequency grows too fast with the
-    // wind: 1.3, 3.9, 12, 35 Hz at 2, 4, 8, 16 m/s in `physical`, and 0.43, 1.2, 2.7, 6.9 Hz with
-    // 0.5 kg/m^2 (measured on silk of 0.41 x 0.28 m). Of several airs on one vertex the last has
-    // its way.
-    double addedMass = 0;
-    // Air that moves with a sheet and that the wind carries along it: what flags flutter by. In
-    // place of `addedMass`, which forgets.
+    // Air that moves with a sheet and that the wind carries along it: what flags flutter by. A
+    // thin sheet that waves with the wave number k carries 2 rho / k (potential flow on both
+    // sides), more than its own mass for silk.
     CarriedAirOptions carried = {};
     double width = 0.01;              // m, of a curve: its area per length
     int interval = 1;                 // substeps from one push to the next, which is for them all
@@ -78,14 +72,13 @@ template <class Real>
 class Air : public Force<Real> {
 public:
     // Throws std::invalid_argument for numbers that are not finite, a noise, mass, reach or width
-    // below 0, mass carried that reaches nowhere or beside added mass, triangles that carry air and
-    // go round an edge the same way, a noise length or time not above 0, an interval below 1,
-    // objects that the world has not, and kernels that are not available.
+    // below 0, mass carried that reaches nowhere, triangles that carry air and go round an edge the
+    // same way, a noise length or time not above 0, an interval below 1, objects that the world has
+    // not, and kernels that are not available.
     Air(const World& world, const AirOptions& options, KernelChoice kernels = bestKernels());
 
     std::string name() const override { return "air"; }
     void furnish(Drawer<Real>& kept) const override;
-    bool hasInertia() const override { return options_.addedMass > 0; }
     void beginFrame(const State<Real>& state, double t0, double t1, Workers& workers) override;
     void prepare(State<Real>& state, Drawer<Real>& kept, double t, double h,
                  Workers& workers) override;
@@ -101,7 +94,6 @@ private:
 
     AirOptions options_;
     const AirTable<Real>& kernels_;
-    std::size_t vertices_;
     std::array<AirSkin<Real>, 2> skins_;  // edges, triangles
     std::unique_ptr<CarriedAir<Real>> carried_;
     double from_ = 0, to_ = 0;  // s, the frame that gusts are known for

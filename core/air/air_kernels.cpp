@@ -11,7 +11,6 @@ inline namespace PLAIT_ISA {
 template <class T>
 inline constexpr AirTable<Scalar<T>> airKernelsOf = {
     {writeSides<T, 2>, writeSides<T, 3>},
-    writeInertia<T>,
     {{writeImpulses<T, 2, false>, writeImpulses<T, 3, false>},
      {writeImpulses<T, 2, true>, writeImpulses<T, 3, true>}},
     writeVelocities<T>,

@@ -25,7 +25,6 @@ struct AroundBlocks {
     const int* vertices;
     const int* start;
     const int* facets;
-    const Real* added;  // kg of air, a number a vertex
 };
 
 // The air that a sheet carries, beside the facets and vertices of its triangles. What is by vertex
@@ -53,7 +52,6 @@ template <class Real>
 struct AirStep {
     const Real* particles;        // 8 numbers a vertex: x y z w, dx dy dz 0
     Real* velocity;               // 4 a vertex
-    Real* inertia;                // 4 a vertex: q of w I - q q^T; null without added mass
     Real wind[3];                 // m/s
     Real gust;                    // how much of the frame has passed, 0 to 1
     Real drag, tangential, lift;  // force per area and speed or speed squared, times h
@@ -83,7 +81,6 @@ using MeetKernel = void (*)(const AirStep<Real>&, const FacetBlocks<Real>&,
 template <class Real>
 struct AirTable {
     FacetKernel<Real> sides[2];        // from positions; [0] of edges, [1] of triangles
-    AroundKernel<Real> inertia;        // from the sides of triangles
     FacetKernel<Real> impulses[2][2];  // from sides and velocities; [1][]: in `legacy`
     AroundKernel<Real> velocities;     // from impulses
     WayKernel<Real> ways;              // and rates

@@ -43,41 +43,6 @@ template <class T, int corners>
     }
 }
 
-// The inertia m I + a A n n^T of a vertex, n its area-weighted normal, inverted: w I - q q^T.
-//
-// Where the sheet has turned since the last substep, a velocity that lay in it may now lie across
-// it, and air that was at rest moves. What that takes comes out of the velocity along the normal,
-// so that the energy of sheet and air stays; otherwise a flag grows wild on energy from nowhere.
-// Air that comes to rest keeps what it had, as it does in a wake.
-template <class T>
-[[gnu::flatten]] void writeInertia(const AirStep<Scalar<T>>& step,
-                                   const AroundBlocks<Scalar<T>>& around, const Scalar<T>* sides,
-                                   int begin, int end) {
-    for (int n = begin; n < end; n += Lanes<T>::count) {
-        const int lane = n % blockSize, block = n / blockSize, row = around.start[block];
-        const Vec<T> area = gatherSum<T>(sides, around.facets + row * blockSize + lane, blockSize,
-                                         around.start[block + 1] - row, 4)
-                                .xyz;
-        const T w = gather<T>(step.particles, around.vertices + n, 8).w;
-        const T added = load<T>(around.added + n);
-        const T size = w * squareRoot(divide(added, T(1) + w * added));
-        const Vec<T> q = (size * divide(T(1), length(area))) * area;
-        const Vec<T> before = gather<T>(step.inertia, around.vertices + n, 4).xyz;
-        scatter<T>(step.inertia, around.vertices + n, 4, {q, T(0)});
-
-        // With u = n.v, (m + a A) u'^2 = m u^2 + a A (u before)^2; the air's part of the inertia
-        // along the normal is |q|^2 / w.
-        const T q2 = dot(q, q), was2 = dot(before, before);
-        const Vec<T> v = gather<T>(step.velocity, around.vertices + n, 4).xyz;
-        const T was = dot(before, v), is = dot(q, v);
-        const T ratio2 = divide((was * was) * q2, (is * is) * was2);
-        const T kept2 = T(1) - (T(1) - ratio2) * divide(q2, w);
-        const T part = select(kept2 < T(1), squareRoot(kept2) - T(1), T(0));
-        const T change = select(was2 > T(0), part * divide(is, q2), T(0));
-        scatterAdd<T>(step.velocity, around.vertices + n, 4, change * q);
-    }
-}
-
 // The air where facet n is, m/s.
 template <class T>
 Vec<T> airAt(const AirStep<Scalar<T>>& step, const FacetBlocks<Scalar<T>>& facets, int n) {
@@ -107,13 +72,7 @@ Facet<T> facetAt(const AirStep<Scalar<T>>& step, const FacetBlocks<Scalar<T>>& f
         normal = u - dot(u, normal) * normal;
         normal = divide(T(1), length(normal)) * normal;
     }
-    T along = side.w;
-    if (step.inertia)
-        for (int c = 0; c < corners; ++c) {
-            const T q = dot(normal, gather<T>(step.inertia, ids + c * blockSize, 4).xyz);
-            along = along - member<T>(row, 2 + c) * (q * q);
-        }
-    return {normal, u, legacy ? T(1) : size * member<T>(row, 1), along, side.w};
+    return {normal, u, legacy ? T(1) : size * member<T>(row, 1), side.w};
 }
 
 template <class T, int corners, bool legacy>
@@ -140,12 +99,7 @@ template <class T>
         const Vec<T> p = gatherSum<T>(impulses, around.facets + row * blockSize + lane, blockSize,
                                       around.start[block + 1] - row, 4)
                              .xyz;
-        Vec<T> change = gather<T>(step.particles, vertices, 8).w * p;
-        if (step.inertia) {
-            const Vec<T> q = gather<T>(step.inertia, vertices, 4).xyz;
-            change -= dot(q, p) * q;
-        }
-        scatterAdd<T>(step.velocity, vertices, 4, change);
+        scatterAdd<T>(step.velocity, vertices, 4, gather<T>(step.particles, vertices, 8).w * p);
     }
 }
 

@@ -54,7 +54,7 @@ std::vector<double> areaShares(const RestFacets& facets, int vertices) {
 
 template <class Real>
 AirSkin<Real>::AirSkin(int corners, const std::vector<RestFacet>& facets,
-                       const std::vector<double>& shares, double added, int padding)
+                       const std::vector<double>& shares, int padding)
     : corners_(corners) {
     const int members = 2 + corners, count = wholeBlocks(facets.size());
     const auto blocks = static_cast<std::size_t>(count);
@@ -73,29 +73,24 @@ AirSkin<Real>::AirSkin(int corners, const std::vector<RestFacet>& facets,
                 static_cast<Real>(shares[static_cast<std::size_t>(v)] / corners);
         }
     }
-    layOutAround(facets, shares, added, padding);
+    layOutAround(static_cast<int>(facets.size()), padding);
 }
 
 template <class Real>
-void AirSkin<Real>::layOutAround(const std::vector<RestFacet>& facets,
-                                 const std::vector<double>& shares, double added, int padding) {
-    std::vector<std::vector<int>> around(shares.size());
-    for (int f = 0; f < static_cast<int>(facets.size()); ++f)
+void AirSkin<Real>::layOutAround(int facets, int padding) {
+    std::vector<std::vector<int>> around(static_cast<std::size_t>(padding));
+    for (int f = 0; f < facets; ++f)
         for (int c = 0; c < corners_; ++c)
             around[static_cast<std::size_t>(vertex(f, c))].push_back(f);
     for (std::size_t v = 0; v < around.size(); ++v)
         if (!around[v].empty()) vertices_.push_back(static_cast<int>(v));
     const std::size_t used = vertices_.size(), all = static_cast<std::size_t>(wholeBlocks(used));
     vertices_.resize(all, padding);
-    added_.assign(all, Real(0));
     for (std::size_t first = 0; first < all; first += blockSize) {
         const std::size_t last = std::min<std::size_t>(first + blockSize, used);
         std::size_t rows = 0;
-        for (std::size_t i = first; i < last; ++i) {
-            const auto v = static_cast<std::size_t>(vertices_[i]);
-            rows = std::max(rows, around[v].size());
-            added_[i] = static_cast<Real>(added * shares[v]);
-        }
+        for (std::size_t i = first; i < last; ++i)
+            rows = std::max(rows, around[static_cast<std::size_t>(vertices_[i])].size());
         const std::size_t base = around_.size();
         around_.resize(base + rows * blockSize, size());
         for (std::size_t i = first; i < last; ++i) {
@@ -121,7 +116,7 @@ FacetBlocks<Real> AirSkin<Real>::blocks() {
 
 template <class Real>
 AroundBlocks<Real> AirSkin<Real>::around() const {
-    return {vertices_.data(), start_.data(), around_.data(), added_.data()};
+    return {vertices_.data(), start_.data(), around_.data()};
 }
 
 template class AirSkin<float>;

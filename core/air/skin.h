@@ -37,9 +37,9 @@ std::vector<double> areaShares(const RestFacets& facets, int vertices);
 template <class Real>
 class AirSkin {
 public:
-    // `added` is kg of air per m^2, `padding` a vertex without mass that nothing else uses.
+    // `padding` is a vertex without mass that nothing else uses.
     AirSkin(int corners, const std::vector<RestFacet>& facets, const std::vector<double>& shares,
-            double added, int padding);
+            int padding);
 
     int corners() const { return corners_; }
     int size() const { return static_cast<int>(sides.size()) - 1; }      // with padding
@@ -62,12 +62,11 @@ private:
         const int at = (facet - lane) * members + member * blockSize + lane;
         return static_cast<std::size_t>(at);
     }
-    void layOutAround(const std::vector<RestFacet>& facets, const std::vector<double>& shares,
-                      double added, int padding);
+    void layOutAround(int facets, int padding);
 
     int corners_;
     std::vector<int> ids_, vertices_, start_{0}, around_;
-    std::vector<Real> rows_, gusts_, added_;
+    std::vector<Real> rows_, gusts_;
 };
 
 }  // namespace plait

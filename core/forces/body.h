@@ -27,14 +27,10 @@ inline std::vector<std::uint8_t> markObjects(int count, std::span<const Range> o
     return marks;
 }
 
-// v <- v + W m dv for a force that is proportional to mass. Without added mass W m is exactly 1, so
-// that no mass enters [AW9]; with it the air is set moving too, but brings no weight of its own.
+// v <- v + dv for a force that is proportional to mass: no mass enters [AW9].
 template <class Real>
 void accelerate(State<Real>& state, std::size_t i, const Vec<Real>& dv) {
-    const Real w = state.particles[i].w;
-    if (w == Real(0)) return;
-    const Vec<Real> q = state.airAt(i);
-    state.velocity[i].v += dv - divide(dot(q, dv), w) * q;
+    if (state.particles[i].w > Real(0)) state.velocity[i].v += dv;
 }
 
 }  // namespace plait

@@ -10,18 +10,6 @@ inline namespace PLAIT_ISA {
 
 enum class Pass { project, smooth, damp };
 
-// How a vertex answers an impulse: W = w I - q q^T, the second term only where air adds inertia.
-template <class T, bool inAir>
-struct Response {
-    T w;
-    Vec<T> q;
-
-    Vec<T> of(const Vec<T>& g) const {
-        if constexpr (inAir) return w * g - dot(q, g) * q;
-        return w * g;
-    }
-};
-
 template <class Kind, class T>
 typename Kind::template Row<T> loadRow(const Scalar<T>* block) {
     using Row = typename Kind::template Row<T>;
@@ -54,7 +42,7 @@ Stencil<Quad<T>, Kind::arity> locate(const Scalar<T>* particles, const int* ids,
 }
 
 // Flattened: a transpose that is a call costs as much as the projection.
-template <class Kind, class T, Pass pass, bool inAir>
+template <class Kind, class T, Pass pass>
 [[gnu::flatten]] void loop(const Sweep<Scalar<T>>& sweep, const Batch<Scalar<T>>& batch, int begin,
                            int end) {
     constexpr int arity = Kind::arity, lanes = Lanes<T>::count;
@@ -70,9 +58,7 @@ template <class Kind, class T, Pass pass, bool inAir>
         const T c = Kind::evaluate(row, x, gradient);
         T weight = T(0);
         for (int a = 0; a < arity; ++a) {
-            Response<T, inAir> response{located[a].w, {}};
-            if constexpr (inAir) response.q = gather<T>(sweep.air, ids + a * blockSize, 4).xyz;
-            move[a] = response.of(gradient[a]);
+            move[a] = located[a].w * gradient[a];
             weight = weight + dot(gradient[a], move[a]);
         }
 
@@ -106,9 +92,7 @@ template <class Kind, class T, Pass pass, bool inAir>
 
 template <class Kind, class T>
 inline constexpr KernelTable<Scalar<T>> kernelsOf = {
-    {loop<Kind, T, Pass::project, false>, loop<Kind, T, Pass::project, true>},
-    {loop<Kind, T, Pass::smooth, false>, loop<Kind, T, Pass::smooth, true>},
-    {loop<Kind, T, Pass::damp, false>, loop<Kind, T, Pass::damp, true>}};
+    loop<Kind, T, Pass::project>, loop<Kind, T, Pass::smooth>, loop<Kind, T, Pass::damp>};
 
 }  // namespace PLAIT_ISA
 }  // namespace plait

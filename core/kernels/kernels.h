@@ -11,7 +11,6 @@ inline constexpr int blockSize = 16;
 template <class Real>
 struct Sweep {
     Real* particles;  // 8 numbers a vertex: x y z w, dx dy dz 0
-    const Real* air;  // 4 a vertex: q of the inverse inertia w I - q q^T; null without added mass
     Real* out;        // 4 a vertex: velocities (damp), sums of corrections (smooth)
     Real inverseH2;   // 1/h^2, 1/s^2; 0 for methods that know no compliance
     Real keep;        // 1: multipliers accumulate within the substep; 0: each evaluation anew
@@ -34,9 +33,9 @@ using Kernel = void (*)(const Sweep<Real>&, const Batch<Real>&, int begin, int e
 
 template <class Real>
 struct KernelTable {
-    Kernel<Real> project[2];  // [1]: with the added mass of the air
-    Kernel<Real> smooth[2];   // corrections are summed into `out`, positions stay (Jacobi)
-    Kernel<Real> damp[2];     // the rate of C is reduced by `strength` in the velocities `out`
+    Kernel<Real> project;
+    Kernel<Real> smooth;  // corrections are summed into `out`, positions stay (Jacobi)
+    Kernel<Real> damp;    // the rate of C is reduced by `strength` in the velocities `out`
 };
 
 enum class Isa { v2, v3, v4 };  // x86-64 levels

@@ -171,8 +171,6 @@ void MembraneSet<Real>::project(const Sweep<Real>& sweep, Direction, Workers& wo
 template <class Real>
 void MembraneSet<Real>::gather(const Sweep<Real>& sweep, Workers& workers) {
     const Real* const first = sweep.particles + 8L * ids_[0];
-    inverseH2_ = double(sweep.inverseH2);
-    heavy_ = sweep.air != nullptr;
     workers.forBlocks(static_cast<int>(ids_.size()), blockSize, [&](int begin, int end) {
         for (int v = begin; v < end; ++v) {
             const Real* const p = sweep.particles + 8L * ids_[v];
@@ -180,15 +178,7 @@ void MembraneSet<Real>::gather(const Sweep<Real>& sweep, Workers& workers) {
             start_[v] = four((three(p) - three(first)) +
                              (three(sweep.before + 4L * ids_[v]) - three(first + 4)));
             mass_[v] = p[3] > 0 ? 1 / double(p[3]) : 0;
-            Block& m = inertia_[v] = {};
-            if (p[3] == 0) continue;
-            const double s = mass_[v] * inverseH2_;
-            m = {{{s, 0, 0}, {0, s, 0}, {0, 0, s}}};
-            if (!sweep.air) continue;
-            // (w I - q q^T)^-1
-            const Vec<double> q = three(sweep.air + 4L * ids_[v]);
-            const double left = double(p[3]) - dot(q, q);
-            if (left > 0) m.addOuter(s / left, q, q);
+            inertia_[v] = mass_[v] * double(sweep.inverseH2);
         }
     });
 }
@@ -218,8 +208,7 @@ void MembraneSet<Real>::evaluate(Workers& workers) {
             if (mass_[v] == 0) continue;
             Four f = four(system_->forceOn(v, springForces_, patchForces_));
             for (const Enclosed& gas : gases_) f += gas.gas.gauge(gas.volume) * gas.gradient[v];
-            for (int c = 0; c < 3; ++c) f -= kept_[v][c] * four(inertia_[v].column[c]);
-            right_[v] = f;
+            right_[v] = f - inertia_[v] * kept_[v];
         }
     });
 }
@@ -279,9 +268,7 @@ double MembraneSet<Real>::energyAt(double step, Workers& workers) {
     }
     return energy + system_->sum(workers, [&](int v) {
         const Vec<double> moved = three(kept_[v] + step * step_[v]);
-        const Block& m = inertia_[v];
-        return 0.5 *
-               dot(moved, moved.x * m.column[0] + moved.y * m.column[1] + moved.z * m.column[2]);
+        return 0.5 * dot(moved, inertia_[v] * moved);
     });
 }
 
@@ -305,7 +292,6 @@ double MembraneSet<Real>::search(Workers& workers) {
 template <class Real>
 void MembraneSet<Real>::conserve(double step) {
     for (Four& moved : step_) moved = step * moved;
-    if (heavy_) return;  // what the air takes is nobody's
     for (const std::vector<int>& island : islands_) {
         if (std::ranges::any_of(island, [&](int v) { return mass_[v] == 0; })) continue;
         double mass = 0, about = 0;

@@ -78,14 +78,13 @@ private:
     std::unique_ptr<MembraneSystem> system_;
 
     std::vector<Four> x_, start_, trial_, kept_, step_, right_;
-    std::vector<double> mass_;  // kg, 0: pinned
-    std::vector<Block> inertia_, springBlocks_;
+    std::vector<double> mass_;     // kg, 0: pinned
+    std::vector<double> inertia_;  // kg/s^2: mass_ / h^2
+    std::vector<Block> springBlocks_;
     std::vector<Vec<double>> springForces_;
     std::vector<std::array<Vec<double>, 3>> patchForces_;
     std::vector<std::array<Block, 6>> patchBlocks_;
     std::vector<double> energies_;  // J, by element
-    double inverseH2_ = 0;
-    bool heavy_ = false;  // with the air's inertia
 };
 
 extern template class MembraneSet<float>;

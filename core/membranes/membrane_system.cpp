@@ -98,17 +98,17 @@ void MembraneSystem::addRow(int v, std::span<const Block> springs,
     }
 }
 
-void MembraneSystem::assemble(std::span<const Block> inertia, std::span<const Block> springs,
+void MembraneSystem::assemble(std::span<const double> inertia, std::span<const Block> springs,
                               std::span<const std::array<Block, 6>> patches, Workers& workers) {
     forParts(workers, [&](int, int begin, int end) {
         for (int v = begin; v < end; ++v) {
             preconditioner_[v] = {};
             std::fill(&blocks_[start_[v]], &blocks_[start_[v]] + (start_[v + 1] - start_[v]),
                       Columns{});
-            if (inertia[v].column[0].x == 0) continue;
+            if (inertia[v] == 0) continue;
             addRow(v, springs, patches);
             Columns& own = blocks_[start_[v]];
-            for (int c = 0; c < 3; ++c) own.column[c] += four(inertia[v].column[c]);
+            for (int c = 0; c < 3; ++c) own.column[c][c] += inertia[v];
             const Symmetric<double> a{own.column[0][0], own.column[1][0], own.column[2][0],
                                       own.column[1][1], own.column[2][1], own.column[2][2]};
             for (int c = 0; c < 3; ++c)

@@ -30,7 +30,7 @@ public:
                    std::span<const std::array<int, 3>> patches);
 
     // inertia (kg/s^2) by vertex; one without (a pinned vertex) does not move.
-    void assemble(std::span<const Block> inertia, std::span<const Block> springs,
+    void assemble(std::span<const double> inertia, std::span<const Block> springs,
                   std::span<const std::array<Block, 6>> patches, Workers& workers);
 
     // The sum of the elements' forces on a vertex; a spring's is that on its first end.

@@ -17,7 +17,7 @@ namespace {
 // What a method can do besides springs.
 struct Scope {
     std::string name;
-    bool rigid = false, contacts = false, bdf2 = false, airInertia = false;
+    bool rigid = false, contacts = false, bdf2 = false;
 };
 
 Scope scopeOf(Method method) {
@@ -35,11 +35,7 @@ Scope scopeOf(Method method) {
         case Method::global:
             return {.name = "global", .rigid = true, .contacts = true, .bdf2 = true};
         case Method::newton:
-            return {.name = "newton",
-                    .rigid = true,
-                    .contacts = true,
-                    .bdf2 = true,
-                    .airInertia = true};
+            return {.name = "newton", .rigid = true, .contacts = true, .bdf2 = true};
         default:
             throw std::invalid_argument("no such method");
     }
@@ -67,7 +63,7 @@ void check(const Scope& scope, const NamedSet<Real>& named, const State<Real>& s
 template <class Real>
 std::unique_ptr<WholeStep<Real>> makeWholeStep(const SolverOptions& options,
                                                const std::vector<NamedSet<Real>>& sets,
-                                               const State<Real>& state, bool airHasInertia) {
+                                               const State<Real>& state) {
     if (options.integrator == Integrator::midpoint && options.method != Method::newton)
         throw std::invalid_argument("integrator midpoint is for method newton alone");
     if (options.method == Method::xpbd || options.method == Method::nucleus) return nullptr;
@@ -76,9 +72,6 @@ std::unique_ptr<WholeStep<Real>> makeWholeStep(const SolverOptions& options,
     if (options.integrator != Integrator::first && !scope.bdf2)
         throw std::invalid_argument(
             method + "has an integrator of its own: choose the integrator \"first\"");
-    if (airHasInertia && !scope.airInertia)
-        throw std::invalid_argument(
-            method + "knows no inertia of the air: set its added mass to 0, or take xpbd");
     for (const NamedSet<Real>& named : sets) check(scope, named, state);
     switch (options.method) {
         case Method::explicitEuler:
@@ -101,9 +94,9 @@ std::unique_ptr<WholeStep<Real>> makeWholeStep(const SolverOptions& options,
 
 template std::unique_ptr<WholeStep<float>> makeWholeStep(const SolverOptions&,
                                                          const std::vector<NamedSet<float>>&,
-                                                         const State<float>&, bool);
+                                                         const State<float>&);
 template std::unique_ptr<WholeStep<double>> makeWholeStep(const SolverOptions&,
                                                           const std::vector<NamedSet<double>>&,
-                                                          const State<double>&, bool);
+                                                          const State<double>&);
 
 }  // namespace plait

@@ -11,10 +11,9 @@
 namespace plait {
 
 // A vertex of a curve as its rows see it, `vertexNumbers` numbers: x (relative to the curve's first
-// vertex), s; x when the substep began, r; q, 0; and its velocity where rates are asked for, 0.
-// S = s I - r q q^T is the symmetric root of its inverse inertia W = w I - q q^T, so that
-// J W J^T = (J S) (J S)^T.
-inline constexpr int vertexNumbers = 16;
+// vertex), s; x when the substep began, w; and its velocity where rates are asked for, 0. s is the
+// root of w, so that J W J^T = (J S) (J S)^T.
+inline constexpr int vertexNumbers = 12;
 
 // What is left of a row's value: C (or its rate), its compliance, the square of J S, and J S by
 // vertex.
@@ -30,7 +29,7 @@ struct ChainRows {
     const double* vertices;  // number m of a vertex, where lanes are curves, at m * width + lane
     double* out;
     int blocks, width;
-    bool air, rates, falls;  // falls: ChainSystem::fall is not zero
+    bool rates, falls;  // falls: ChainSystem::fall is not zero
     const double* fall;
     double inverseH2;
 };

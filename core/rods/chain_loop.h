@@ -13,13 +13,8 @@ inline namespace PLAIT_ISA {
 // How a vertex enters a row; `velocity` is of no meaning where no rates are asked for.
 template <class T>
 struct ChainVertex {
-    Vec<T> x, before, q, velocity;
-    T s, r;
-
-    // J S of a row with this gradient.
-    Vec<T> scaled(const Vec<T>& gradient, bool air) const {
-        return air ? s * gradient - (r * dot(q, gradient)) * q : s * gradient;
-    }
+    Vec<T> x, before, velocity;
+    T s;
 };
 
 // Where lanes are curves, id is one for all of them, else one a lane.
@@ -44,17 +39,12 @@ ChainVertex<T> chainVertex(const ChainRows& rows, const int* id, int lane) {
     four(0, number);
     v.x = {number[0], number[1], number[2]};
     v.s = number[3];
-    if (valuesOf<Kind>() > 1 || rows.air) {
+    if (valuesOf<Kind>() > 1) {
         four(4, number);
         v.before = {number[0], number[1], number[2]};
-        v.r = number[3];
-    }
-    if (rows.air) {
-        four(8, number);
-        v.q = {number[0], number[1], number[2]};
     }
     if (rows.rates) {
-        four(12, number);
+        four(8, number);
         v.velocity = {number[0], number[1], number[2]};
     }
     return v;
@@ -108,7 +98,7 @@ void keepValue(ChainOut<T>& out, const ChainRows& rows, const Stencil<ChainVerte
     }
     Stencil<Vec<T>, arity> scaled;
     for (int i = 0; i < arity; ++i) {
-        scaled[i] = v[i].scaled(gradient[i], rows.air);
+        scaled[i] = v[i].s * gradient[i];
         own = own + dot(scaled[i], scaled[i]);
     }
     out.keep(c);

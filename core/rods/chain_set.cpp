@@ -166,7 +166,6 @@ void ChainSet<Real>::solve(Unit& unit, const Sweep<Real>& sweep, ChainSystem sys
                          .out = system.out + part.out,
                          .blocks = part.blocks,
                          .width = layout.width(),
-                         .air = sweep.air != nullptr,
                          .rates = system.rates,
                          .falls = system.fall[0] != 0 || system.fall[1] != 0 || system.fall[2] != 0,
                          .fall = system.fall,

@@ -37,22 +37,12 @@ template <class T, class Real>
         const T w = now[3];
         now[3] = squareRoot(w);
         for (int k = 0; k < 3; ++k) now[k] = now[k] + select(w > T(0), T(0), fall[k]);
-        before[3] = T(0);
-        T more[4];
-        if (sweep.air) {
-            Record q[n];
-            for (int i = 0; i < n; ++i) q[i] = record(sweep.air + 4L * ids[i]);
-            columns(q, more);
-            const T along = more[0] * more[0] + more[1] * more[1] + more[2] * more[2],
-                    left = select(along < w, w - along, T(0));
-            before[3] = divide(T(1), now[3] + squareRoot(left));
-            for (int k = 0; k < 4; ++k) to.put(8 + k, more[k]);
-        }
         if (chain.rates) {
             Record out[n];
             for (int i = 0; i < n; ++i) out[i] = record(sweep.out + 4L * ids[i]);
-            columns(out, more);
-            for (int k = 0; k < 4; ++k) to.put(12 + k, more[k]);
+            T velocity[4];
+            columns(out, velocity);
+            for (int k = 0; k < 4; ++k) to.put(8 + k, velocity[k]);
         }
         for (int k = 0; k < 4; ++k) {
             to.put(k, now[k]);
@@ -88,14 +78,14 @@ public:
     }
 
     // W J^T change by vertex.
-    void gather(bool air) const {
+    void gather() const {
         for (int v = 0; v < chain_.moving; ++v) {
             Vec<T> sum{T(0), T(0), T(0)};
             for (int m = chain_.begins[v]; m < chain_.begins[v + 1]; ++m) {
                 const ChainMeeting& meeting = chain_.meetings[m];
                 sum += changeOf(meeting.row) * three(meeting.place);
             }
-            putVec(moves_ + 3 * v, scaled(v, sum, air));
+            putVec(moves_ + 3 * v, rootMass(v) * sum);
         }
     }
 
@@ -161,13 +151,6 @@ private:
     }
     T changeOf(int row) const { return Band<T, -1, 1>(chain_.rows, memory_).side(row)[0]; }
     T rootMass(int v) const { return Strip<T>{chain_.vertexNumbers}[v * vertexNumbers + 3]; }
-
-    Vec<T> scaled(int v, const Vec<T>& g, bool air) const {
-        const Strip<T> of = Strip<T>{chain_.vertexNumbers} + v * vertexNumbers;
-        if (!air) return of[3] * g;
-        const Vec<T> q = vec(of + 8);
-        return of[3] * g - (of[7] * dot(q, g)) * q;
-    }
 
     template <int near>
     void findChange() const {
@@ -263,7 +246,7 @@ template <class T, class Real>
 [[gnu::flatten]] void solveChain(const Sweep<Real>& sweep, const ChainSystem& chain) {
     const ChainSolve<T> solve(chain);
     solve.findChange();
-    solve.gather(sweep.air);
+    solve.gather();
     if (chain.rates) return solve.add(T(sweep.strength), sweep.out, 4);
     solve.turn();
     const T strength = T(sweep.strength) * solve.bounded();

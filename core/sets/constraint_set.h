@@ -190,11 +190,9 @@ private:
         return row;
     }
 
-    void run(const Kernel<Real> (&kernels)[2], const Color& color, const Sweep<Real>& sweep,
-             Workers& workers) {
+    void run(Kernel<Real> kernel, const Color& color, const Sweep<Real>& sweep, Workers& workers) {
         const Batch<Real> batch{&ids_[0].member[0][0], &rows_[0].member[0][0],
                                 &lambda_[0].member[0][0], &relax_[0].member[0][0]};
-        const Kernel<Real> kernel = kernels[sweep.air ? 1 : 0];
         constexpr int grain = 16;  // blocks a thread takes at least: below, a barrier costs more
         workers.forBlocks((color.end - color.begin) / blockSize, grain, [&](int begin, int end) {
             kernel(sweep, batch, color.begin + begin * blockSize, color.begin + end * blockSize);

@@ -106,7 +106,7 @@ private:
         });
     }
 
-    // Parents first: the weight needs the inertia of both ends. Returns the length of all links of
+    // Parents first: the weight needs the w of both ends. Returns the length of all links of
     // the tree and of what they lack, in m.
     double load(const Sweep<Real>& sweep, int begin, int end) {
         double size = 0;
@@ -115,7 +115,6 @@ private:
             TreeNode<double>& n = nodes_[k];
             const Real* const p = sweep.particles + 8 * node.vertex;
             n.w = double(p[3]);
-            n.q = sweep.air ? three(sweep.air + 4 * node.vertex) : Vec<double>{};
             if (node.parent < 0) continue;
             const TreeNode<double>& parent = nodes_[node.parent];
             const Real* const o = sweep.particles + 8 * forest_.nodes[node.parent].vertex;
@@ -126,7 +125,7 @@ private:
             n.own = gradient[node.end];
             n.up = gradient[1 - node.end];
             n.lambda = double(sweep.keep) * lambda_[node.constraint];
-            n.weight = dot(n.own, n.response(n.own)) + dot(n.up, parent.response(n.up));
+            n.weight = dot(n.own, n.w * n.own) + dot(n.up, parent.w * n.up);
             size += length(apart) + (n.c < 0 ? -n.c : n.c);
         }
         return size;
@@ -155,8 +154,8 @@ private:
         for (int k = begin; k < end - 1; ++k) {
             TreeNode<double>& n = nodes_[k];
             const TreeNode<double>& parent = nodes_[n.parent];
-            const double c = n.c + dot(n.own, n.response(n.impulse)) +
-                             dot(n.up, parent.response(parent.impulse));
+            const double c =
+                n.c + dot(n.own, n.w * n.impulse) + dot(n.up, parent.w * parent.impulse);
             const double a = softness(k, c - n.weight * (n.lambda + n.change), inverseH2);
             changed |= a != n.a;
             n.a = a;
@@ -169,16 +168,16 @@ private:
     double bounded(double size, int begin, int end) const {
         double furthest = 0;
         for (int k = begin; k < end; ++k)
-            furthest = std::max(furthest, length(nodes_[k].response(nodes_[k].impulse)));
+            furthest = std::max(furthest, length(nodes_[k].w * nodes_[k].impulse));
         return furthest > size ? size / furthest : 1;
     }
 
-    // Adds strength W impulse to the three numbers of each vertex that moves.
+    // Adds strength w impulse to the three numbers of each vertex that moves.
     void move(Real* to, int stride, double strength, int begin, int end) const {
         for (int k = begin; k < end; ++k) {
             const TreeNode<double>& n = nodes_[k];
             if (n.w == 0) continue;
-            const Vec<double> d = strength * n.response(n.impulse);
+            const Vec<double> d = strength * (n.w * n.impulse);
             Real* const v = to + stride * forest_.nodes[k].vertex;
             v[0] = static_cast<Real>(double(v[0]) + d.x);
             v[1] = static_cast<Real>(double(v[1]) + d.y);

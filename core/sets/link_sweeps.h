@@ -69,7 +69,7 @@ public:
 
     // Both return the counted work.
     long sweep(const Sweep<Real>& sweep, Direction direction, Workers& workers) {
-        return all_.project(sweep, direction, kernel(sweep), workers);
+        return all_.project(sweep, direction, kernels_.project, workers);
     }
     long mend(const Sweep<Real>& sweep, const Mending& mending, Workers& workers) {
         long work = 0;
@@ -81,7 +81,7 @@ public:
             activateNear();
             for (int i = 0; i < mending.sweeps; ++i)
                 work += active_.project(sweep, i % 2 ? Direction::backward : Direction::forward,
-                                        kernel(sweep), workers);
+                                        kernels_.project, workers);
         }
         return work;
     }
@@ -89,10 +89,6 @@ public:
 private:
     // As wide as every level of x86-64 is: what a pass only compares has the same bits anyway.
     using Wide = std::conditional_t<std::is_same_v<Real, float>, Pack<4>, Real>;
-
-    Kernel<Real> kernel(const Sweep<Real>& sweep) const {
-        return kernels_.project[sweep.air ? 1 : 0];
-    }
 
     // A link as its vertex at hand sees it.
     struct Joined {

@@ -181,10 +181,6 @@ private:
             const double w = double(sweep.particles[8 * group.vertices[v] + 3]);
             gradient_[v] = sum;
             response_[v] = w * sum;
-            if (sweep.air) {
-                const Vec<double> q = three(sweep.air + 4 * group.vertices[v]);
-                response_[v] -= dot(q, sum) * q;
-            }
             return dot(sum, response_[v]);
         });
     }

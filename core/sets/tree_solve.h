@@ -4,7 +4,7 @@
 // The unknowns are eliminated leaves first, but per vertex instead of per pair of neighbouring
 // constraints, as articulated bodies are (Featherstone 1983; Baraff, "Linear-time dynamics using
 // Lagrange multipliers", 1996). Given that all constraints eliminated so far hold, a vertex answers
-// an impulse p by  b + A p;  at first b = 0, A = W. Each further constraint takes one direction
+// an impulse p by  b + A p;  at first b = 0, A = w I. Each further constraint takes one direction
 // from the A of its parent: a rank-one update. The pivots are those of L D L^T in this order.
 #pragma once
 
@@ -20,24 +20,21 @@ struct TreeNode {
     // Given.
     int parent;      // index of a later node; -1 for the root, which has no constraint
     T w;             // 1/kg
-    Vec<T> q;        // kg^(-1/2): inverse inertia W = w I - q q^T
     Vec<T> own, up;  // gradient of C by this vertex and by its parent
     T c;             // C
     T a;             // compliance / h^2
     T lambda;        // multiplier so far
-    T weight;        // gradient . W gradient, both ends
+    T weight;        // w gradient . gradient, both ends
 
     // Found.
     T change;        // of the multiplier
-    Vec<T> impulse;  // W impulse is the displacement
+    Vec<T> impulse;  // w impulse is the displacement
 
     // On the way.
     Symmetric<T> mobility;  // A
     Vec<T> drift;           // b
     Vec<T> reach;           // A gradient of the parent, before this constraint held
     T residual, inversePivot;
-
-    Vec<T> response(const Vec<T>& p) const { return w * p - dot(q, p) * q; }
 };
 
 // A constraint that those below fix already, to this part of its own weight, says nothing new (a
@@ -51,9 +48,7 @@ void solveTree(std::vector<TreeNode<T>>& nodes, int begin, int end) {
     const Vec<T> zero{T(0), T(0), T(0)};
     for (int k = begin; k < end; ++k) {
         TreeNode<T>& n = nodes[k];
-        const Vec<T>& q = n.q;
         n.mobility = {n.w, T(0), T(0), n.w, T(0), n.w};
-        n.mobility.addOuter(T(-1), q);
         n.drift = n.impulse = zero;
     }
     for (int k = begin; k < end - 1; ++k) {

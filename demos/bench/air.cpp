@@ -19,17 +19,17 @@ struct Form {
 
 std::vector<Form> forms() {
     const auto wind = [](double) { return Vec<double>{0.3, 0.1, 8}; };
-    AirOptions full{.drag = 1.2, .lift = 1, .addedMass = 0.5, .wind = {.velocity = wind}};
-    AirOptions lift = full, drag = full, legacy = full, gusty = full, carried = full;
-    lift.addedMass = drag.addedMass = legacy.addedMass = 0;
+    AirOptions lift{.drag = 1.2, .lift = 1, .wind = {.velocity = wind}};
+    AirOptions drag = lift, legacy = lift, gusty = lift, carried = lift;
     drag.lift = legacy.lift = 0;
     legacy.form = AirForm::legacy;
     gusty.wind.noise = 2;
-    carried.addedMass = 0;
     carried.carried = {.mass = 1, .reach = 0.2};
-    return {{"legacy", legacy},           {"physical", drag},
-            {"physical, lift", lift},     {"physical, lift, added mass", full},
-            {"the same in gusts", gusty}, {"physical, lift, carried", carried}};
+    return {{"legacy", legacy},
+            {"physical", drag},
+            {"physical, lift", lift},
+            {"the same in gusts", gusty},
+            {"physical, lift, carried", carried}};
 }
 
 // A sheet in disorder, so that every facet meets the air differently.

@@ -119,7 +119,7 @@ void compare(int n, int threads) {
                 .threads = threads});
     ConstraintSet<Stretch, float> set(rows, count, bestKernels());
     std::vector<Particle<float>> particles = solver.state().particles;
-    const Sweep<float> sweep{&particles[0].x.x, nullptr, nullptr, float(1 / (h * h)), 1, 1};
+    const Sweep<float> sweep{&particles[0].x.x, nullptr, float(1 / (h * h)), 1, 1};
     Workers workers(threads);
     Floor floor(world);
 

@@ -14,7 +14,7 @@ struct Format {
     const char* magic;  // 8 characters
     std::uint32_t version;
 };
-constexpr Format frameFormat{"plaitfrm", 1}, checkpointFormat{"plaitchk", 4};
+constexpr Format frameFormat{"plaitfrm", 1}, checkpointFormat{"plaitchk", 5};
 
 class Writer {
 public:
@@ -144,7 +144,6 @@ std::string encodeCheckpoint(const Checkpoint<Real>& checkpoint) {
     writer.put(static_cast<std::int32_t>(checkpoint.frame));
     writer.put(static_cast<std::int64_t>(state.substep));
     writer.put(static_cast<std::int64_t>(checkpoint.evaluations));
-    writer.put(static_cast<std::int32_t>(state.inertia));
     writer.put(static_cast<std::int32_t>(state.hasPast));
     const auto put = [&](const auto& array) {
         writer.put(static_cast<std::int64_t>(array.size()));
@@ -168,7 +167,6 @@ Checkpoint<Real> decodeCheckpoint(const std::string& bytes, const std::string& n
     checkpoint.frame = reader.get<std::int32_t>();
     state.substep = reader.get<std::int64_t>();
     checkpoint.evaluations = reader.get<std::int64_t>();
-    state.inertia = reader.get<std::int32_t>();
     state.hasPast = reader.get<std::int32_t>() != 0;
     const auto take = [&]<class T>(std::vector<T>& array) {
         array = reader.get<T>(reader.get<std::int64_t>());

@@ -1,6 +1,6 @@
 // A frame of a run, and how frames and the solver's state stand in the cache.
 //
-// Both files begin with eight letters, the format's version (uint32: 1 of a frame, 4 of a
+// Both files begin with eight letters, the format's version (uint32: 1 of a frame, 5 of a
 // checkpoint) and the bytes of a number (uint32: 4 or 8), and end with a hash (uint64,
 // core/measure/hash.h) of all bytes before it. Bytes run from the lowest; a number is a float or a
 // double by the precision of the run.
@@ -9,10 +9,10 @@
 //                      int64 evaluations so far; float64 seconds that it took; float64 a metric;
 //                      then three numbers a vertex: positions in m, then velocities in m/s; then
 //                      a byte a vertex: 1 where a contact pushed it.
-//   cache/checkpoint   "plaitchk", then int32 frame; int64 substep, evaluations; int32 inertia,
-//                      past; then the arrays of core/state.h, in their order, each after its
-//                      length (int64); then the number of drawers (int64), and of each its numbers
-//                      and its integers (int32), likewise.
+//   cache/checkpoint   "plaitchk", then int32 frame; int64 substep, evaluations; int32 past;
+//                      then the arrays of core/state.h, in their order, each after its length
+//                      (int64); then the number of drawers (int64), and of each its numbers and its
+//                      integers (int32), likewise.
 #pragma once
 
 #include <plait/numbers/math.h>

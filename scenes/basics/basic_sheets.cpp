@@ -181,8 +181,8 @@ Scene windGauge(const Knobs& knobs) {
     return scene;
 }
 
-// A curtain on a rail that moves, in gusty air that has inertia, over a floor and a ball; and a
-// springy wire beside it. A scene for tests: it leaves nothing out.
+// A curtain on a rail that moves, in gusty air that it carries with it, over a floor and a ball;
+// and a springy wire beside it. A scene for tests: it leaves nothing out.
 Scene sampler(const Knobs& knobs) {
     Scene scene;
     World& world = scene.world;
@@ -203,7 +203,7 @@ Scene sampler(const Knobs& knobs) {
            {.density = 1.2,
             .drag = 1.2,
             .lift = 0.5,
-            .addedMass = 0.3,
+            .carried = {.mass = 0.3, .reach = 0.1},
             .wind = {.velocity = [](double t) { return Vec<double>{1, 0, 3 + 2 * sine(2 * t)}; },
                      .noise = 1,
                      .noiseLength = 0.3,

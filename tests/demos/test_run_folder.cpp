@@ -80,7 +80,6 @@ TEST_CASE("a checkpoint keeps every drawer", "[program]") {
     Checkpoint<float> checkpoint;
     checkpoint.state.particles.resize(4);
     checkpoint.state.velocity.resize(4);
-    checkpoint.state.inertia = 1;
     checkpoint.state.kept = {{.numbers = {}, .integers = {1, 0, 10}},
                              {.numbers = {2}, .integers = {}}};
     const std::string bytes = encodeCheckpoint(checkpoint);
@@ -88,7 +87,6 @@ TEST_CASE("a checkpoint keeps every drawer", "[program]") {
     CHECK(state.particles.size() == 4);
     CHECK(state.velocity.size() == 4);
     CHECK(state.last.empty());
-    CHECK(state.inertia == 1);
     REQUIRE(state.kept.size() == 2);
     CHECK(state.kept[0].integers == std::vector<std::int32_t>{1, 0, 10});
     CHECK(state.kept[1].numbers == std::vector<float>{2});

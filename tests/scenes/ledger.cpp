@@ -19,7 +19,6 @@ public:
         : force_(std::move(force)), ledger_(ledger) {}
 
     std::string name() const override { return force_->name(); }
-    bool hasInertia() const override { return force_->hasInertia(); }
     void furnish(Drawer<double>& kept) const override { force_->furnish(kept); }
     void beginFrame(const State<double>& state, double t0, double t1, Workers& workers) override {
         force_->beginFrame(state, t0, t1, workers);
@@ -100,16 +99,7 @@ private:
         act();
         for (std::size_t v = 0; v < n; ++v) {
             double* const p = sweep.particles + 8 * v;
-            Vec<double> moved = offset(v) - before_[v];
-            // That of w I - q q^T, inverted, is what was asked of the vertex; air resists as well.
-            if (sweep.air && ledger_.mass_[v] > 0) {
-                const double* const a = sweep.air + 4 * v;
-                const Vec<double> q{a[0], a[1], a[2]};
-                const Vec<double> air = (dot(q, moved) / (p[3] - dot(q, q))) * q;
-                ledger_.blown_[v] -= (ledger_.mass_[v] / h_) * air;
-                moved += air;
-            }
-            impulses_[v] += (1 / (p[3] * h_)) * moved;
+            impulses_[v] += (1 / (p[3] * h_)) * (offset(v) - before_[v]);
             if (ledger_.mass_[v] > 0) continue;
             p[3] = 0;
             p[4] = before_[v].x, p[5] = before_[v].y, p[6] = before_[v].z;

@@ -75,18 +75,12 @@ private:
     std::size_t sideOf(std::size_t i) const { return static_cast<int>(i) < pair_.first ? 0 : 1; }
     bool counts(std::size_t i) const { return weight_[i] != 0 && piece_[sideOf(i)] < 0; }
 
-    // w I - q q^T, for vertex i.
+    // How far vertex i goes.
     Vec<double> of(std::size_t i, const Vec<double>& impulse) const {
         const int v = pair_.vertices[i];
         const double yield = yields_[sideOf(i)];
         if (!yielding_.inverseMass.empty()) return yield * (yielding_.inverseMass[v] * impulse);
-        Vec<double> moved = double(sweep_.particles[8 * v + 3]) * impulse;
-        if (sweep_.air) {
-            const Real* const q = sweep_.air + 4 * v;
-            const Vec<double> along{double(q[0]), double(q[1]), double(q[2])};
-            moved -= dot(along, impulse) * along;
-        }
-        return yield * moved;
+        return yield * (double(sweep_.particles[8 * v + 3]) * impulse);
     }
     double ofPiece(std::size_t side, const Vec<double>& n) const {
         const int p = piece_[side];

@@ -18,14 +18,6 @@ namespace {
 constexpr double sameSide = 0.9;
 constexpr int grain = 256;  // vertices a thread takes at least
 
-// w I - q q^T, how a vertex answers an impulse.
-struct Answer {
-    double w;
-    Vec<double> q;
-    Vec<double> of(const Vec<double>& impulse) const { return w * impulse - dot(q, impulse) * q; }
-    double along(const Vec<double>& n) const { return dot(n, of(n)); }
-};
-
 Friction frictionOf(const Surface& s, const Collider& c) {
     return {c.staticFriction, s.staticFriction, c.dynamicFriction, s.dynamicFriction};
 }
@@ -146,12 +138,11 @@ bool ColliderSet<Real>::part(const Sweep<Real>& sweep, int m, std::size_t b) {
     row.plane = plane;
     reach_[m].written = true;
     reach_[m].clear = 0;
-    const Answer answer{double(p[3]), sweep.air
-                                          ? body.now.ownWay(three(sweep.air + 4 * member.vertex))
-                                          : Vec<double>{}};
+    const double w = double(p[3]);
+    const auto answerAlong = [w](const Vec<double>& n) { return dot(n, w * n); };
     const double push = std::max(sticks ? -held : 0.0,
-                                 row.push - divide(plane.value(end), answer.along(plane.normal)));
-    Vec<double> moved = answer.of((push - row.push) * plane.normal);
+                                 row.push - divide(plane.value(end), answerAlong(plane.normal)));
+    Vec<double> moved = w * ((push - row.push) * plane.normal);
     const bool pushed = push > row.push;
     row.push = push;
 
@@ -160,10 +151,10 @@ bool ColliderSet<Real>::part(const Sweep<Real>& sweep, int m, std::size_t b) {
     const double slipped = length(slip);
     const Friction friction = frictionOf(surfaces_[member.surface], body.collider);
     if (friction && slipped > 0) {
-        const double answers = answer.along((1 / slipped) * slip);
+        const double answers = answerAlong((1 / slipped) * slip);
         const double pressed = std::max(push, 0.0) + (sticks ? held : 0);
         const Vec<double> grip = friction.grip(row.grip, slip, answers, plane.normal, pressed);
-        moved += answer.of(grip - row.grip);
+        moved += w * (grip - row.grip);
         row.grip = grip;
     }
     put(p + 4, now + body.now.worldWay(moved));

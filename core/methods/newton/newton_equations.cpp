@@ -72,14 +72,6 @@ void NewtonEquations::begin(WholeSubstep<double>& s, bool cold) {
         if (!cold || place_[i] < 0) state.particles[i].d = predicted.d[i];
 }
 
-// M = W^-1 of W = w I - q q^T (Sherman and Morrison).
-Vec<double> NewtonEquations::massTimes(const State<double>& state, std::size_t i,
-                                       const Vec<double>& d) const {
-    const double w = state.particles[i].w;
-    const Vec<double> q = state.airAt(i);
-    return (1 / w) * (d + (dot(q, d) / (w - dot(q, q))) * q);
-}
-
 void NewtonEquations::evaluateSets(WholeSubstep<double>& s) {
     State<double>& state = s.state;
     for (std::size_t k = 0; k < sets_.size(); ++k)
@@ -95,8 +87,9 @@ void NewtonEquations::evaluateSets(WholeSubstep<double>& s) {
 long NewtonEquations::evaluate(WholeSubstep<double>& s, double softness) {
     evaluateSets(s);
     for (std::size_t i = 0; i < place_.size(); ++i) {
+        const Particle<double>& p = s.state.particles[i];
         left_[i] = {};
-        if (place_[i] >= 0) left_[i] = massTimes(s.state, i, s.state.particles[i].d - y_[i]);
+        if (place_[i] >= 0) left_[i] = (1 / p.w) * (p.d - y_[i]);
         gross_[i] = length(left_[i]);
     }
     for (const Set& set : sets_)
@@ -146,12 +139,9 @@ void NewtonEquations::linearise(const State<double>& state, Matrix& matrix, Vect
 void NewtonEquations::addMasses(const State<double>& state, Vector& right) {
     for (std::size_t i = 0; i < place_.size(); ++i) {
         if (place_[i] < 0) continue;
-        const double w = state.particles[i].w, root = std::sqrt(w);
+        const double w = state.particles[i].w, mass = 1 / w, root = std::sqrt(w);
         for (int a = 0; a < 3; ++a) {
-            const Vec<double> axis{double(a == 0), double(a == 1), double(a == 2)};
-            const Vec<double> column = w * massTimes(state, i, axis);
-            for (int b = 0; b < 3; ++b)
-                entries_.emplace_back(place_[i] + b, place_[i] + a, component(column, b));
+            entries_.emplace_back(place_[i] + a, place_[i] + a, w * mass);
             right[place_[i] + a] = -root * component(left_[i], a);
         }
     }

@@ -3,8 +3,8 @@
 //
 //   M (x - y) + J^T lambda = 0,   C - a lambda = 0,   a = alpha / h'^2
 //
-// y is where vertices would be without constraints, M = W^-1 their masses with the inertia of the
-// air, h' the step that compliance sees, and lambda / h'^2 the force against the gradient.
+// y is where vertices would be without constraints, M = W^-1 their masses, h' the step that
+// compliance sees, and lambda / h'^2 the force against the gradient.
 //
 // Midpoint has the same form: J at (x0 + x) / 2, y = x0 + h (v0 + h W f / 2), h'^2 = h^2 / 2, and
 // the mean of C at both ends in place of C (the mean strain of Simo, Tarnow and Wong, "Exact
@@ -81,7 +81,6 @@ private:
     void addMasses(const State<double>& state, Vector& right);
     void addConstraint(const Set& set, const State<double>& state, int n, Vector& right);
     void addCurvature(const Set& set, const State<double>& state, int n);
-    Vec<double> massTimes(const State<double>& state, std::size_t i, const Vec<double>& d) const;
 
     bool midpoint_;
     double inverseH2_ = 0;               // 1/s^2, of h'

@@ -11,7 +11,6 @@ namespace plait {
 template <class Real>
 Sweep<Real> nucleusSweep(double strength) {
     return {.particles = nullptr,
-            .air = nullptr,
             .out = nullptr,
             .inverseH2 = 0,
             .keep = 0,

@@ -13,7 +13,6 @@ namespace plait {
 template <class Real>
 Sweep<Real> xpbdSweep(double h) {
     return {.particles = nullptr,
-            .air = nullptr,
             .out = nullptr,
             .inverseH2 = static_cast<Real>(1 / (h * h)),
             .keep = 1,

@@ -8,7 +8,7 @@
 // handed down is the transpose of the mean in the metric of the masses: momentum is exact, and no
 // sweep adds energy (variational aggregates; multigrid after Ruge and Stüben 1987, constraints
 // after Müller, "Hierarchical position based dynamics", 2008, which injects instead and gains
-// energy). With added mass, coarse levels are as heavy as without, which only shortens their steps.
+// energy).
 #pragma once
 
 #include "../../complex/csr.h"
@@ -47,7 +47,7 @@ public:
         }
         for (std::size_t l = levels_.size(); l-- > 0;) {
             if (back) levels_[l].sweep(sweep, direction, workers);
-            levels_[l].handDown(finer(l), l ? nullptr : sweep.air, workers);
+            levels_[l].handDown(finer(l), workers);
         }
     }
 
@@ -120,24 +120,17 @@ private:
 
         void sweep(Sweep<Real> fine, Direction direction, Workers& workers) {
             fine.particles = &particles[0].x.x;
-            fine.air = nullptr;
             fine.keep = 0;
             set->project(fine, direction, workers);
         }
 
-        void handDown(Particle<Real>* finer, const Real* air, Workers& workers) {
+        void handDown(Particle<Real>* finer, Workers& workers) {
             workers.forBlocks(members.size(), grain, [&](int begin, int end) {
                 for (int a = begin; a < end; ++a) {
                     const Vec<Real> change = particles[a].d - before[a];
                     if (change == Vec<Real>{0, 0, 0}) continue;
-                    for (int m = members.start[a]; m < members.start[a + 1]; ++m) {
-                        Particle<Real>& p = finer[members.item[m]];
-                        p.d += change;
-                        if (!air) continue;
-                        const Real* const at = air + 4 * members.item[m];
-                        const Vec<Real> q{at[0], at[1], at[2]};
-                        p.d -= divide(dot(q, change), p.w) * q;  // W of the air over w
-                    }
+                    for (int m = members.start[a]; m < members.start[a + 1]; ++m)
+                        finer[members.item[m]].d += change;
                 }
             });
         }

@@ -25,8 +25,7 @@ using StrandKernel = void (*)(const Sweep<Real>&, const StrandBlock<Real>&);
 
 template <class Real>
 struct StrandTable {
-    StrandKernel<Real> project[2];  // [1]: with the added mass of the air
-    StrandKernel<Real> damp[2];
+    StrandKernel<Real> project, damp;
 };
 
 // Throws std::invalid_argument if `choice` is not available.

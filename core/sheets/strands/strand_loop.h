@@ -68,13 +68,6 @@ StrandVertex<T> keptVertex(const StrandBlock<Scalar<T>>& block, int k, int lane)
     return {{number(0), number(1), number(2)}, {number(3), number(4), number(5)}, number(6)};
 }
 
-template <class T, bool inAir>
-Response<T, inAir> responseOf(const Sweep<Scalar<T>>& sweep, const int* ids, T w) {
-    Response<T, inAir> response{w, {}};
-    if constexpr (inAir) response.q = gather<T>(sweep.air, ids, 4).xyz;
-    return response;
-}
-
 // A pivot below this part of its link's own weight is rounding: the links before fix the link
 // already (a straight strand between two pins, two pinned ends), and its multiplier stays.
 template <class T>
@@ -89,10 +82,10 @@ T residualOf(const Sweep<Scalar<T>>& sweep, const int* from, const Vec<T>& along
     return T(sweep.strength) * dot(along, rate);
 }
 
-template <class T, Pass pass, bool inAir>
+template <class T, Pass pass>
 void factor(const Sweep<Scalar<T>>& sweep, const StrandBlock<Scalar<T>>& block, int lane) {
     const int* ids = block.ids + lane;
-    auto response = responseOf<T, inAir>(sweep, ids, gather<T>(sweep.particles, ids, 8).w);
+    T w = gather<T>(sweep.particles, ids, 8).w;
     StrandLink<T> last{{T(0), T(0), T(0)}, T(0), T(0), T(0), T(0)};
     T inverse = T(0);
     for (int k = 0; k < block.links; ++k, ids += blockSize) {
@@ -107,12 +100,12 @@ void factor(const Sweep<Scalar<T>>& sweep, const StrandBlock<Scalar<T>>& block, 
         }
         const T c = residualOf<T, pass>(sweep, ids, link.along, l - load<T>(row));
 
-        const Vec<T> pull = response.of(link.along);
+        const Vec<T> pull = w * link.along;
         const T beside = -dot(last.along, pull);
         T weight = dot(link.along, pull);
-        response = responseOf<T, inAir>(sweep, ids + blockSize, apart.w);
+        w = apart.w;
         link.factor = beside * inverse;
-        weight = weight + dot(link.along, response.of(link.along)) + a;
+        weight = weight + dot(link.along, w * link.along) + a;
         const T pivot = weight - beside * link.factor;
         inverse = select(pivot > T(redundant<T>) * weight, divide(T(1), pivot), T(0));
         // `solved` of the last link is D^-1 times what L left of it, and beside = factor * D.
@@ -130,7 +123,7 @@ void addMultiplier(const Sweep<Scalar<T>>& sweep, const StrandBlock<Scalar<T>>& 
     store(lambda, T(sweep.keep) * load<T>(lambda) + change);
 }
 
-template <class T, Pass pass, bool inAir>
+template <class T, Pass pass>
 void solve(const Sweep<Scalar<T>>& sweep, const StrandBlock<Scalar<T>>& block, int lane) {
     const int* ids = block.ids + block.links * blockSize + lane;
     Scalar<T>* const to = pass == Pass::project ? sweep.particles + 4 : sweep.out;
@@ -142,13 +135,12 @@ void solve(const Sweep<Scalar<T>>& sweep, const StrandBlock<Scalar<T>>& block, i
         const StrandLink<T> link = keptLink<T>(block, k, lane);
         const Vec<T> pulled = change * next.along;
         change = link.solved - next.factor * change;
-        const auto response = responseOf<T, inAir>(sweep, ids, link.w);
-        scatterAdd<T>(to, ids, stride, strength * response.of(change * link.along - pulled));
+        scatterAdd<T>(to, ids, stride, strength * (link.w * (change * link.along - pulled)));
         if (pass == Pass::project) addMultiplier(sweep, block, k, lane, strength * change);
         next = link;
     }
-    const auto response = responseOf<T, inAir>(sweep, ids, gather<T>(sweep.particles, ids, 8).w);
-    scatterAdd<T>(to, ids, stride, strength * response.of(-change * next.along));
+    const T first = gather<T>(sweep.particles, ids, 8).w;
+    scatterAdd<T>(to, ids, stride, strength * (first * (-change * next.along)));
 }
 
 // A link that pulls: what its turning asks of its vertices, and what it has against being turned
@@ -171,9 +163,8 @@ TurnedLink<T> turned(const StrandLink<T>& link, const Vec<T>& moved, T change) {
 // As solve(), with the changes of multipliers acting along where links come to lie (strand_set.h).
 // Vertex i moves by e_i more, where w is its inverse mass, s the stiffness and p the pull of links:
 //     (1 + w (s_i-1 + s_i)) e_i - w s_i-1 e_i-1 - w s_i e_i+1 = w (p_i-1 - p_i)
-// Diagonally dominant, and the e / w sum to 0. The added mass of the air is left out: a wiggle is
-// then pulled back less than it should be, never too far.
-template <class T, bool inAir>
+// Diagonally dominant, and the e / w sum to 0.
+template <class T>
 void solveTurning(const Sweep<Scalar<T>>& sweep, const StrandBlock<Scalar<T>>& block, int lane) {
     const Vec<T> zero{T(0), T(0), T(0)};
     const T strength(sweep.strength);
@@ -201,14 +192,13 @@ void solveTurning(const Sweep<Scalar<T>>& sweep, const StrandBlock<Scalar<T>>& b
         change = link.solved - next.factor * change;
         const T added = strength * change;
         addMultiplier(sweep, block, k, lane, added);
-        const auto response = responseOf<T, inAir>(sweep, ids + (k + 1) * blockSize, link.w);
-        const Vec<T> here = response.of(added * link.along - pulled);
+        const Vec<T> here = link.w * (added * link.along - pulled);
         if (k + 1 < block.links) eliminate(k + 1, here);
         moved = here;
         next = link;
         nextChange = added;
     }
-    const Vec<T> here = responseOf<T, inAir>(sweep, ids, first).of(-nextChange * next.along);
+    const Vec<T> here = first * (-nextChange * next.along);
     eliminate(0, here);
     const T scale = divide(first, T(1) + first * beyond.stiffness * (T(1) - after.share));
     Vec<T> e = scale * (beyond.stiffness * after.part - beyond.pull);
@@ -221,22 +211,21 @@ void solveTurning(const Sweep<Scalar<T>>& sweep, const StrandBlock<Scalar<T>>& b
     }
 }
 
-template <class T, Pass pass, bool inAir>
+template <class T, Pass pass>
 [[gnu::flatten]] void strandLoop(const Sweep<Scalar<T>>& sweep,
                                  const StrandBlock<Scalar<T>>& block) {
     for (int lane = block.begin; lane < block.end; lane += Lanes<T>::count) {
-        factor<T, pass, inAir>(sweep, block, lane);
+        factor<T, pass>(sweep, block, lane);
         if (pass == Pass::project && block.turns)
-            solveTurning<T, inAir>(sweep, block, lane);
+            solveTurning<T>(sweep, block, lane);
         else
-            solve<T, pass, inAir>(sweep, block, lane);
+            solve<T, pass>(sweep, block, lane);
     }
 }
 
 template <class T>
-inline constexpr StrandTable<Scalar<T>> strandKernelsOf = {
-    {strandLoop<T, Pass::project, false>, strandLoop<T, Pass::project, true>},
-    {strandLoop<T, Pass::damp, false>, strandLoop<T, Pass::damp, true>}};
+inline constexpr StrandTable<Scalar<T>> strandKernelsOf = {strandLoop<T, Pass::project>,
+                                                           strandLoop<T, Pass::damp>};
 
 }  // namespace PLAIT_ISA
 }  // namespace plait

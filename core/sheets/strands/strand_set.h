@@ -129,9 +129,8 @@ private:
         int begin, end;  // shares
     };
 
-    void run(const StrandKernel<Real> (&kernels)[2], const Color& color, const Sweep<Real>& sweep,
+    void run(StrandKernel<Real> kernel, const Color& color, const Sweep<Real>& sweep,
              Workers& workers) {
-        const StrandKernel<Real> kernel = kernels[sweep.air ? 1 : 0];
         workers.forBlocks(color.end - color.begin, 1, [&](int begin, int end) {
             // That of the first share, which has the longest strands, serves a whole run: it stays
             // in the cache, where one a share would be streamed through memory.

@@ -43,30 +43,21 @@ struct Run {
           gravity(world, {.acceleration = {0, -g, 0}}),
           air(world, options),
           state(stateOf<Real>(world)),
-          workers(threads) {
-        if (air.hasInertia()) giveAir(state);
-    }
+          workers(threads) {}
 
     void fall(int substeps, double h) {
         for (int s = 0; s < substeps; ++s) act<Real>(state, {&gravity, &air}, h, workers);
     }
-    void prepare() {
-        Drawer<Real> none;
-        air.prepare(state, none, 0, 0, workers);
-    }
     void blow(double h) { act<Real>(state, {&air}, h, workers); }
     Vec<double> velocity() const { return widened(state.velocity[0].v); }
 
-    // Of what is free, the air's inertia included: (w I - q q^T)^-1 = m I + m^2 q q^T / (1 - m
-    // q^2).
+    // Of what is free.
     double energy() const {
         double sum = 0;
         for (std::size_t i = 0; i < world.mass.size(); ++i) {
             if (world.pinned[i]) continue;
-            const double m = world.mass[i];
-            const Vec<double> v = widened(state.velocity[i].v), q = widened(state.airAt(i));
-            const double along = m * dot(q, v);
-            sum += (m * dot(v, v) + along * along / (1 - m * dot(q, q))) / 2;
+            const Vec<double> v = widened(state.velocity[i].v);
+            sum += world.mass[i] * dot(v, v) / 2;
         }
         return sum;
     }

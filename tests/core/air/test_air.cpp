@@ -98,7 +98,7 @@ TEST_CASE("Quadratic drag converges to tanh", "[air]") {
 
 TEST_CASE("An interval of three is one push of three substeps, and none between", "[air]") {
     constexpr double h = 0.01;
-    AirOptions options{.lift = 0.5, .addedMass = 0.3, .wind = {steady({3, 1, 2})}};
+    AirOptions options{.lift = 0.5, .wind = {steady({3, 1, 2})}};
     Run every(plate(0.4), options);
     options.interval = 3;
     Run third(plate(0.4), options);
@@ -181,39 +181,6 @@ TEST_CASE("Air density stands for less mass, or for more drag and lift", "[air][
         CHECK(dense == after(2, {.form = form, .density = 2, .drag = 4, .lift = 2, .wind = wind}));
         CHECK(dense != after(0.5, {.form = form, .lift = 0.5, .wind = wind}));
     }
-}
-
-TEST_CASE("Added mass: a plate falls at g m / (m + a A) broadside, at g edge-on", "[air]") {
-    const AirOptions options{.density = 0, .addedMass = 0.5};
-    const double phi = 0.6;
-    Run flat(plate(0), options), knife(plate(edgeOn), options), tilted(plate(phi), options);
-    flat.fall(100, 0.01), knife.fall(100, 0.01), tilted.fall(100, 0.01);
-    const double slow = sigma / (sigma + 0.5);
-    CHECK(report("broadside", deviation(flat.state, {0, -g * slow, 0}), 1e-12));
-    CHECK(report("edge-on", deviation(knife.state, {0, -g, 0}), 1e-12));
-    const Vec<double> normal{-std::sin(phi), std::cos(phi), 0},
-        along{std::cos(phi), std::sin(phi), 0};
-    CHECK(report("tilted",
-                 deviation(tilted.state,
-                           (-g * slow * std::cos(phi)) * normal + (-g * std::sin(phi)) * along),
-                 1e-12));
-    CHECK(length(flat.state.airAt(0)) > 0);
-    Run none(plate(0), {.density = 0});
-    none.fall(1, 0.01);
-    CHECK(!none.state.air());
-}
-
-TEST_CASE("Added mass: drag meets the greater inertia, terminal velocity stays", "[air]") {
-    const double a = 0.5, c = 3, h = 0.07;
-    Run run(plate(0), {.form = legacy, .density = c, .drag = 1, .addedMass = a});
-    double v = 0, worst = 0;
-    for (int s = 0; s < 100; ++s) {
-        run.fall(1, h);
-        v = (v - h * g * sigma / (sigma + a)) / (1 + h * c / (sigma + a));
-        worst = std::max(worst, deviation(run.state, {0, v, 0}));
-    }
-    CHECK(report("against the scheme with sigma + a", worst, 1e-12));
-    CHECK(report("terminal velocity", std::fabs(run.velocity().y + sigma * g / c), 1e-6));
 }
 
 TEST_CASE("A hung sheet is balanced at tan phi = c U / sigma g, pinned row or not", "[air]") {

@@ -220,8 +220,6 @@ TEST_CASE("carried air: what it cannot be is refused", "[air]") {
     };
     refuses(plate(0), {.carried = {.mass = -1, .reach = 1}}, "not negative");
     refuses(plate(0), {.carried = {.mass = 1}}, "reach somewhere");
-    refuses(plate(0), {.addedMass = 1, .carried = {.mass = 1, .reach = 1}},
-            "all of its added mass");
     World twisted;
     Simplices two;
     two.triangles = {{0, 1, 2}, {1, 2, 3}};

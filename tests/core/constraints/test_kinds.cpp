@@ -71,7 +71,7 @@ template <class Kind, class Real>
 struct Sample {
     Rows<Kind> rows;
     std::vector<Particle<Real>> particles;
-    std::vector<Padded<Real>> out, air;
+    std::vector<Padded<Real>> out;
 
     explicit Sample(Random& random, int count, double compliance = 0) {
         for (int i = 0; i < count; ++i) {
@@ -91,11 +91,9 @@ struct Sample {
     void add(const Vec<double>& x, double w, Random& random) {
         const Vec<Real> d{Real(random.uniform(-.01, .01)), Real(random.uniform(-.01, .01)),
                           Real(.003)};
-        const Vec<double> q = 0.5 * std::sqrt(w) * random.point(1);
         particles.push_back(
             {{Real(x.x), Real(x.y), Real(x.z)}, Real(w), w > 0 ? d : Vec<Real>{}, 0});
         out.push_back({w > 0 ? Real(3) * d : Vec<Real>{}, 0});
-        air.push_back({{Real(q.x), Real(q.y), Real(q.z)}, 0});
     }
 
     int padding() const { return static_cast<int>(particles.size()) - 1; }
@@ -112,13 +110,8 @@ struct Sample {
         return x;
     }
 
-    Sweep<Real> sweep(double h = 1, bool withAir = false) {
-        return {&particles[0].x.x,
-                withAir ? &air[0].v.x : nullptr,
-                &out[0].v.x,
-                Real(1 / (h * h)),
-                1,
-                1};
+    Sweep<Real> sweep(double h = 1) {
+        return {&particles[0].x.x, &out[0].v.x, Real(1 / (h * h)), 1, 1};
     }
     ConstraintSet<Kind, Real> set(KernelChoice choice = bestKernels()) const {
         return ConstraintSet<Kind, Real>(rows, padding(), choice);
@@ -344,7 +337,7 @@ TEMPLATE_LIST_TEST_CASE("kinds: compliance holds whatever the number of evaluati
 namespace {
 
 template <class Kind>
-std::vector<float> bitsOf(KernelChoice choice, bool air) {
+std::vector<float> bitsOf(KernelChoice choice) {
     Random random(7);
     Sample<Kind, float> sample(random, 37, 1e-3);  // not a multiple of any width
     for (int i = 0; i < 9; ++i) {  // and some where the stencil has no extent, or no freedom
@@ -362,7 +355,7 @@ std::vector<float> bitsOf(KernelChoice choice, bool air) {
     set.relaxBy(counts);
     Workers workers(1);
     set.begin({0.1, 1}, workers);
-    auto sweep = sample.sweep(0.1, air);
+    auto sweep = sample.sweep(0.1);
     sweep.strength = 0.75F;
     for (int i = 0; i < 3; ++i)
         set.project(sweep, i % 2 ? Direction::backward : Direction::forward, workers);
@@ -379,15 +372,13 @@ std::vector<float> bitsOf(KernelChoice choice, bool air) {
 
 TEMPLATE_LIST_TEST_CASE("kinds: every lane width and instruction set gives the same bits",
                         "[kinds][determinism]", AllKinds) {
-    for (const bool air : {false, true}) {
-        const std::vector<float> scalar = bitsOf<TestType>({Isa::v2, 1}, air);
-        for (const float f : scalar) REQUIRE(std::isfinite(f));
-        for (const KernelChoice choice : everyChoice()) {
-            const std::vector<float> wide = bitsOf<TestType>(choice, air);
-            INFO(nameOf<TestType>()
-                 << " v" << static_cast<int>(choice.isa) + 2 << " x" << choice.lanes);
-            REQUIRE(std::memcmp(scalar.data(), wide.data(), scalar.size() * sizeof(float)) == 0);
-        }
+    const std::vector<float> scalar = bitsOf<TestType>({Isa::v2, 1});
+    for (const float f : scalar) REQUIRE(std::isfinite(f));
+    for (const KernelChoice choice : everyChoice()) {
+        const std::vector<float> wide = bitsOf<TestType>(choice);
+        INFO(nameOf<TestType>() << " v" << static_cast<int>(choice.isa) + 2 << " x"
+                                << choice.lanes);
+        REQUIRE(std::memcmp(scalar.data(), wide.data(), scalar.size() * sizeof(float)) == 0);
     }
 }
 
@@ -448,7 +439,7 @@ TEST_CASE("kinds: a link buckles where compression is slack and holds where it i
         std::vector<Particle<double>> p{{{0, 0, 0}, 1, {}, 0}, {{0.5, 0, 0}, 1, {}, 0}, {}};
         Workers workers(1);
         set.begin({1, 1}, workers);
-        set.project({&p[0].x.x, nullptr, nullptr, 1, 1, 1}, Direction::forward, workers);
+        set.project({&p[0].x.x, nullptr, 1, 1, 1}, Direction::forward, workers);
         REQUIRE(p[1].d.x - p[0].d.x == (compression > 0 ? 0 : 0.5));
     }
 }
@@ -460,7 +451,7 @@ TEST_CASE("kinds: contacts push and never pull", "[kinds][CC1]") {
         {{0, 0, 0}, 1, {0, -0.5, 0}, 0}, {{0, 0, 0}, 1, {0, 0.5, 0}, 0}, {}};
     Workers workers(1);
     set.begin({1, 1}, workers);
-    set.project({&p[0].x.x, nullptr, nullptr, 1, 1, 1}, Direction::forward, workers);
+    set.project({&p[0].x.x, nullptr, 1, 1, 1}, Direction::forward, workers);
     REQUIRE(p[0].d.y == Approx(0).margin(1e-15));
     REQUIRE(p[1].d.y == 0.5);
     std::vector<std::uint8_t> touched(3, 0);
@@ -469,10 +460,10 @@ TEST_CASE("kinds: contacts push and never pull", "[kinds][CC1]") {
     // What a contact gave within the substep, and no more, it takes back when others lift the
     // point.
     p[0].d.y += 0.1;
-    set.project({&p[0].x.x, nullptr, nullptr, 1, 1, 1}, Direction::forward, workers);
+    set.project({&p[0].x.x, nullptr, 1, 1, 1}, Direction::forward, workers);
     REQUIRE(p[0].d.y == Approx(0).margin(1e-15));
     p[0].d.y += 1;
-    set.project({&p[0].x.x, nullptr, nullptr, 1, 1, 1}, Direction::forward, workers);
+    set.project({&p[0].x.x, nullptr, 1, 1, 1}, Direction::forward, workers);
     REQUIRE(p[0].d.y == Approx(0.6));
     REQUIRE(set.multiplier(0) == Approx(0).margin(1e-15));
 }

@@ -73,22 +73,9 @@ struct Net {
     }
 };
 
-// With the added mass of air: the same q in any precision, shorter than sqrt(w).
-template <class Real>
-void blowOn(State<Real>& state) {
-    giveAir(state);
-    Random random(11);
-    for (int v = 0; v < state.count(); ++v) {
-        const Vec<double> q = random.point(1);
-        const double size = 0.5 * std::sqrt(double(state.particles[v].w));
-        put(&state.kept[0].numbers[4 * static_cast<std::size_t>(v)], size * q);
-    }
-}
-
 template <class Real>
 Sweep<Real> sweepOf(State<Real>& state, double strength = 1) {
     return {.particles = &state.particles[0].x.x,
-            .air = state.air(),
             .out = &state.velocity[0].v.x,
             .inverseH2 = static_cast<Real>(1 / (h * h)),
             .keep = 1,
@@ -99,7 +86,6 @@ Sweep<Real> sweepOf(State<Real>& state, double strength = 1) {
 struct Dense {
     Eigen::MatrixXd j;
     Eigen::VectorXd c, compliance, w;
-    Eigen::MatrixXd inverseInertia;
 
     Dense(const Net& net, const State<double>& state) : net_(net), state_(state) {
         const Eigen::Index rows = net.links.size() + 2 * net.bends.size() + net.across.size();
@@ -108,24 +94,18 @@ struct Dense {
         w = Eigen::VectorXd(3 * state.count());
         for (int v = 0; v < state.count(); ++v)
             w.segment<3>(3 * v).setConstant(state.particles[v].w);
-        inverseInertia = w.asDiagonal();
-        for (int v = 0; v < state.count() && state.air(); ++v) {
-            const double* const p = state.air() + 4 * v;
-            const Eigen::Vector3d q(p[0], p[1], p[2]);
-            inverseInertia.block<3, 3>(3 * v, 3 * v) -= q * q.transpose();
-        }
         add(net.links);
         add(net.bends);
         add(net.across);
     }
 
     Eigen::VectorXd multipliers(const Eigen::VectorXd& right, double inverseH2) const {
-        Eigen::MatrixXd a = j * inverseInertia * j.transpose();
+        Eigen::MatrixXd a = j * w.asDiagonal() * j.transpose();
         a += Eigen::MatrixXd((inverseH2 * compliance).asDiagonal());
         return a.completeOrthogonalDecomposition().solve(right);
     }
     Eigen::VectorXd moves(const Eigen::VectorXd& lambda) const {
-        return inverseInertia * (j.transpose() * lambda);
+        return w.asDiagonal() * (j.transpose() * lambda);
     }
 
     // What links that pull add to `moves` by acting along where they come to lie: of
@@ -211,7 +191,6 @@ TEST_CASE("chains: an evaluation is one Newton step, as a dense system makes it"
     for (int trial = 0; trial < 60; ++trial) {
         const Net net = randomNet(random, trial);
         State<double> state = stateOf<double>(net.world);
-        if (trial % 3 == 0) blowOn(state);
         const Dense dense(net, state);
         Workers workers{1};
         const double strength = random.uniform(0, 1), inverseH2 = 1 / (h * h);
@@ -238,7 +217,6 @@ TEST_CASE("chains: rates of all rows at once, as a dense system has them", "[rod
         Net net;  // rows that say nothing twice
         for (const int pins : {0, 1}) net.add(random, 4 + random.below(30), false, pins, false);
         State<double> state = stateOf<double>(net.world);
-        if (trial % 3 == 0) blowOn(state);
         Points before, after;
         for (int v = 0; v < state.count(); ++v) {
             state.velocity[v].v = net.world.pinned[v] ? Vec<double>{} : random.point(1);
@@ -259,9 +237,8 @@ TEST_CASE("chains: rates of all rows at once, as a dense system has them", "[rod
 
 // Of three substeps, the last of two evaluations, and rates taken off.
 template <class Real>
-State<Real> swept(const Net& net, KernelChoice choice, int threads, bool air) {
+State<Real> swept(const Net& net, KernelChoice choice, int threads) {
     State<Real> state = stateOf<Real>(net.world);
-    if (air) blowOn(state);
     Workers workers{threads};
     const auto set = net.set<Real>(choice);
     for (int round = 0; round < 4; ++round) {
@@ -297,16 +274,15 @@ TEMPLATE_TEST_CASE("chains: the same bits in all lanes, levels and threads",
                    "[rods][threads][determinism]", float, double) {
     Random random(8);
     const Net net = manyCurves(random);
-    const bool air = GENERATE(false, true);
-    const auto single = swept<TestType>(net, {Isa::v2, 1}, 1, air);
+    const auto single = swept<TestType>(net, {Isa::v2, 1}, 1);
     for (const Isa isa : {Isa::v2, Isa::v3, Isa::v4})
         for (const int lanes : {1, 4, 8, 16}) {
             if (!available({isa, lanes})) continue;
-            const auto other = swept<TestType>(net, {isa, lanes}, 1, air);
+            const auto other = swept<TestType>(net, {isa, lanes}, 1);
             requireSame(single, other, 0, single.count());
         }
     for (const int threads : {2, 5}) {
-        const auto other = swept<TestType>(net, bestKernels(), threads, air);
+        const auto other = swept<TestType>(net, bestKernels(), threads);
         requireSame(single, other, 0, single.count());
     }
 }
@@ -320,10 +296,10 @@ TEST_CASE("chains: a curve has the same bits alone and among others", "[rods][de
         net.add(random, 14, false, 1);
         many.add(twin, 14, false, 1);
     }
-    const auto all = swept<float>(many, bestKernels(), 1, false);
+    const auto all = swept<float>(many, bestKernels(), 1);
     for (int i = 0; i < 9; ++i)
-        requireSame(all, swept<float>(alone[static_cast<std::size_t>(i)], bestKernels(), 1, false),
-                    14 * i, 14 * (i + 1));
+        requireSame(all, swept<float>(alone[static_cast<std::size_t>(i)], bestKernels(), 1), 14 * i,
+                    14 * (i + 1));
 }
 
 TEST_CASE("chains: ends held further apart than the curve is long stay finite", "[rods]") {

@@ -27,7 +27,6 @@ using Links = std::vector<std::pair<int, int>>;
 struct Net {
     std::vector<Point> x;   // m
     std::vector<double> w;  // 1/kg, 0 where pinned
-    std::vector<Point> q;   // kg^(-1/2); empty without air
     Rows<Stretch> rows;
 
     std::vector<unsigned char> pinned() const {
@@ -56,12 +55,10 @@ struct Run {
         const auto all = net.x.size() + 1;
         state.particles.resize(all);
         state.velocity.resize(all);
-        if (!net.q.empty()) giveAir(state);
         for (std::size_t i = 0; i < net.x.size(); ++i) {
             const Vec<Real> x = narrow(net.x[i]);
             const Point left = net.x[i] - wide(x);
             state.particles[i] = {x, static_cast<Real>(net.w[i]), narrow(left), 0};
-            if (state.air()) setAir(state, i, narrow(net.q[i]));
         }
         set.begin({h, 1}, workers);
     }
@@ -74,7 +71,6 @@ struct Run {
 
     Sweep<Real> sweep(double strength = 1) {
         return {.particles = &state.particles[0].x.x,
-                .air = state.air(),
                 .out = &state.velocity[0].v.x,
                 .inverseH2 = static_cast<Real>(1 / (h * h)),
                 .keep = keep,
@@ -113,13 +109,6 @@ Net randomTree(Random& random, int vertices, bool bushy) {
     return net;
 }
 
-void addAir(Net& net, Random& random) {
-    for (const double w : net.w) {  // |q|^2 < w keeps W positive
-        const Point direction = random.point(1);
-        net.q.push_back(std::sqrt(w) * random.uniform(0, 0.57) * direction);
-    }
-}
-
 // C, J and W of a net as dense matrices, from the definition.
 struct Dense {
     Eigen::VectorXd c;
@@ -137,12 +126,8 @@ struct Dense {
             j.block<1, 3>(i, 3 * b) = g;
             j.block<1, 3>(i, 3 * a) = -g;
         }
-        for (int v = 0; v < net.vertices(); ++v) {
-            const Point q = net.q.empty() ? Point{} : net.q[v];
-            const Eigen::Vector3d e(q.x, q.y, q.z);
-            w.block<3, 3>(3 * v, 3 * v) =
-                net.w[v] * Eigen::Matrix3d::Identity() - e * e.transpose();
-        }
+        for (int v = 0; v < net.vertices(); ++v)
+            w.block<3, 3>(3 * v, 3 * v) = net.w[v] * Eigen::Matrix3d::Identity();
     }
 };
 
@@ -266,20 +251,16 @@ double operationsPerLink(const Net& net) {
 }  // namespace
 
 TEST_CASE("direct: random trees against a dense solve") {
-    for (const bool air : {false, true}) {
-        Random random(air ? 2 : 1);
-        Errors errors;
-        for (int trial = 0; trial < 60; ++trial) {
-            Net net = randomTree(random, 2 + random.below(60), trial % 2);
-            if (air) addAir(net, random);
-            Run<double> run(net);
-            for (int evaluation = 0; evaluation < 3; ++evaluation) errors.add(net, run);
-        }
-        const std::string with = air ? "with air: " : "without air: ";
-        CHECK(report(with + "C + J dx + a lambda = 0", errors.residual, 1e-12));
-        CHECK(report(with + "dx = W J^T dlambda", errors.move, 1e-12));
-        CHECK(report(with + "dlambda, against the dense solve", errors.dense, 1e-9));
+    Random random(1);
+    Errors errors;
+    for (int trial = 0; trial < 60; ++trial) {
+        const Net net = randomTree(random, 2 + random.below(60), trial % 2);
+        Run<double> run(net);
+        for (int evaluation = 0; evaluation < 3; ++evaluation) errors.add(net, run);
     }
+    CHECK(report("C + J dx + a lambda = 0", errors.residual, 1e-12));
+    CHECK(report("dx = W J^T dlambda", errors.move, 1e-12));
+    CHECK(report("dlambda, against the dense solve", errors.dense, 1e-9));
 }
 
 TEST_CASE("direct: a star of 50 arms, free and pinned at the middle") {

@@ -291,7 +291,7 @@ TEMPLATE_TEST_CASE("aggregates: one link moves its halves as wholes, without res
         for (int i = 0; i < 8; ++i) x.push_back(state.position(i));
         Workers workers(1);
         set.begin({0.01, 1}, workers);
-        const Sweep<TestType> sweep{&state.particles[0].x.x, nullptr, nullptr, 1e4, 1, 1};
+        const Sweep<TestType> sweep{&state.particles[0].x.x, nullptr, 1e4, 1, 1};
         set.project(sweep, direction, workers);
         Vec<double> sum{}, torque{}, mean[2] = {};
         double size = 0, mass[2] = {0, 0};
@@ -397,8 +397,7 @@ TEMPLATE_TEST_CASE("tethers hold at the shortest way and are slack within it", "
                                             bestKernels());
         Workers workers(1);
         set.begin({0.01, 1}, workers);
-        set.project({&state.particles[0].x.x, nullptr, nullptr, 1e4, 1, 1}, Direction::forward,
-                    workers);
+        set.project({&state.particles[0].x.x, nullptr, 1e4, 1, 1}, Direction::forward, workers);
         double worst = 0;
         for (int i = 0; i < rows.size(); ++i)
             if (scale < 1)

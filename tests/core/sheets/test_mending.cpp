@@ -36,7 +36,7 @@ long mend(const World& world, const Mending& mending, State<Real>& state, int th
           KernelChoice kernels = bestKernels()) {
     MendSet<Real> set(linksOf(world), static_cast<int>(world.rest.size()), kernels, mending);
     Workers workers(threads);
-    const Sweep<Real> sweep{&state.particles[0].x.x, nullptr, nullptr, 1e4, 1, 1};
+    const Sweep<Real> sweep{&state.particles[0].x.x, nullptr, 1e4, 1, 1};
     set.project(sweep, Direction::forward, workers);
     REQUIRE(set.size() == 0);
     set.project(sweep, Direction::backward, workers);

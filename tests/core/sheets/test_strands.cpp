@@ -66,22 +66,11 @@ struct Chains {
     }
 };
 
-// Sets q at random; |q|^2 < w keeps W positive.
-template <class Real>
-void addAir(State<Real>& state) {
-    Random random(9);
-    giveAir(state);
-    for (int i = 0; i < state.count(); ++i)
-        setAir(state, i,
-               narrowed<Real>(std::sqrt(double(state.particles[i].w)) * random.point(0.57)));
-}
-
 constexpr double h = 0.01;
 
 template <class Real>
 Sweep<Real> sweepOver(State<Real>& state, double strength = 1) {
     return {.particles = &state.particles[0].x.x,
-            .air = state.air(),
             .out = &state.velocity[0].v.x,
             .inverseH2 = static_cast<Real>(1 / (h * h)),
             .keep = 1,
@@ -131,12 +120,8 @@ struct Dense {
             c(i) = length(d) - of.rows.rows[i].rest;
             a(i) = of.rows.rows[i].compliance / (h * h);
         }
-        for (int v = 0; v < state.count(); ++v) {
-            const Vec<double> q = state.airAt(v);
-            const Eigen::Vector3d e(q.x, q.y, q.z);
-            w.block<3, 3>(3 * v, 3 * v) =
-                state.particles[v].w * Eigen::Matrix3d::Identity() - e * e.transpose();
-        }
+        for (int v = 0; v < state.count(); ++v)
+            w.block<3, 3>(3 * v, 3 * v) = state.particles[v].w * Eigen::Matrix3d::Identity();
         Eigen::MatrixXd system = j * w * j.transpose();
         system.diagonal() += a;
         const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(system, Eigen::EigenvaluesOnly);
@@ -285,12 +270,10 @@ TEST_CASE("strands: a corner of more than 60 degrees ends one", "[strands]") {
 // rounding times the condition of the system.
 TEMPLATE_TEST_CASE("strands: evaluations are those of dense algebra", "[strands][figures]", double,
                    float) {
-    for (const auto& [air, turns] :
-         {std::pair{false, false}, {true, false}, {false, true}, {true, true}}) {
+    for (const bool turns : {false, true}) {
         const Chains chains(20);
         State<double> start = stateOf<double>(chains.world);
         State<TestType> state = stateOf<TestType>(chains.world);
-        if (air) addAir(start), addAir(state);
         Dense dense(chains, start);
         dense.geometricStiffness = turns;
         StrandSet<TestType> set(chains.rows, chains.world.rest, bestKernels(), turns);
@@ -313,7 +296,6 @@ TEMPLATE_TEST_CASE("strands: evaluations are those of dense algebra", "[strands]
 TEST_CASE("strands: an evaluation is that of the direct set", "[strands]") {
     const Chains chains(20);
     State<double> a = stateOf<double>(chains.world), b = a;
-    addAir(a), addAir(b);
     Workers workers(1);
     StrandSet<double> strands(chains.rows, chains.world.rest, bestKernels());
     DirectSet<Stretch, double> direct(chains.rows, chains.world.pinned);
@@ -390,7 +372,6 @@ TEMPLATE_TEST_CASE("strands: damping takes the part asked for off every rate", "
                    float) {
     const Chains chains(20);
     State<TestType> state = stateOf<TestType>(chains.world);
-    addAir(state);
     Random random(4);
     for (int i = 0; i < state.count(); ++i)
         if (state.particles[i].w > 0) state.velocity[i].v = narrowed<TestType>(random.point(1));
@@ -440,7 +421,9 @@ TEST_CASE("strands: the same bits in all lanes, levels and threads",
     const Range rope = world.add(helix({.links = 33}), {.density = 0.1});
     world.pin({0, 69, rope.first});
     world.act<Gravity>(GravityOptions{});
-    actAir(world, {.addedMass = 0.3, .objects = {sheet}, .wind = {steady({3, 0, 1}), 0}});
+    actAir(world, {.carried = {.mass = 0.3, .reach = 0.1},
+                   .objects = {sheet},
+                   .wind = {steady({3, 0, 1}), 0}});
     strand(world, linksOf(world, 1e-6), {.name = "strands", .damping = 0.1}, GENERATE(false, true));
     const auto hashAfter = [&]<class Real>(Real, KernelChoice kernels, int threads) {
         SolverOptions options = stepping(300);

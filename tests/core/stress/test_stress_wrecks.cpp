@@ -60,7 +60,6 @@ World inGusts(const Shape& shape) {
                     {.name = "shear", .order = 1});
     world.act<Gravity>(GravityOptions{});
     actAir(world, {.lift = 0.5,
-                   .addedMass = 0.1,
                    .wind = {.velocity = [](double) { return Vec<double>{3, 0, 0}; }, .noise = 1}});
     world.pin({0});
     return world;
