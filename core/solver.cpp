@@ -290,6 +290,7 @@ void Solver<Real>::restore(const State<Real>& state, long evaluations) {
     const auto sizesOf = [](const State<Real>& of) {
         std::vector<std::size_t> sizes;
         State<Real>::forArrays(of, [&](const auto& array) { sizes.push_back(array.size()); });
+        sizes.push_back(of.born.size());
         for (const Drawer<Real>& drawer : of.kept)
             sizes.insert(sizes.end(), {drawer.numbers.size(), drawer.integers.size()});
         return sizes;
@@ -314,6 +315,8 @@ std::uint64_t Solver<Real>::hash() const {
         add(state_.last);
         add(state_.lastVelocity);
     }
+    add(state_.id);
+    add(state_.born);
     for (const Drawer<Real>& drawer : state_.kept) {
         add(drawer.numbers);
         add(drawer.integers);

@@ -47,6 +47,9 @@ public:
     // Where everything is, in m and m/s.
     std::vector<Vec<double>> positions() const;
     std::vector<Vec<double>> velocities() const;
+    // By vertex, s since it came, or since the start; below 0: it is not there. Empty where nothing
+    // comes or goes (sources/).
+    std::vector<double> ages() const;
     // Of every number that decides the future. Throws std::logic_error if one is not finite: the
     // hash of a NaN is very stable.
     std::uint64_t hash() const;

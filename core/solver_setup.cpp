@@ -10,13 +10,6 @@
 namespace plait {
 namespace {
 
-// X + d with X the nearest number: what rounding takes from X is in d.
-template <class Real>
-void split(Particle<Real>& p, const Vec<double>& x) {
-    p.x = as<Real>(x);
-    p.d = as<Real>(x - as<double>(p.x));
-}
-
 std::vector<ScheduledSet> scheduledSets(const World& world) {
     std::vector<ScheduledSet> sets;
     for (const World::Set& set : world.sets)
@@ -81,7 +74,7 @@ void Solver<Real>::letGo() {
         Real& w = state_.particles[v].w;
         if (world_->pinned[v])
             w = 0;
-        else if (w == 0)
+        else if (w == 0 && (state_.born.empty() || state_.born[v] >= 0))
             w = static_cast<Real>(1 / world_->mass[v]);
     }
     setUpSets();
@@ -161,6 +154,13 @@ void Solver<Real>::setUpState() {
             throw std::invalid_argument("vertex " + std::to_string(i) +
                                         " does not start at a number");
     }
+    if (world.spare.empty()) return;
+    state_.id.resize(n, 0), state_.born.resize(n, 0);
+    for (const Range& range : world.spare)
+        for (int v = range.first; v < range.last; ++v) {
+            state_.particles[v].w = 0;
+            state_.id[v] = state_.born[v] = -1;
+        }
 }
 
 template <class Real>

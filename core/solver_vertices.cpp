@@ -156,6 +156,14 @@ std::vector<Vec<double>> Solver<Real>::velocities() const {
     return v;
 }
 
+template <class Real>
+std::vector<double> Solver<Real>::ages() const {
+    std::vector<double> ages;
+    for (const std::int32_t born : state_.born)
+        ages.push_back(born < 0 ? -1 : static_cast<double>(state_.substep - born) * h_);
+    return ages;
+}
+
 template class Solver<float>;
 template class Solver<double>;
 

@@ -1,6 +1,7 @@
 // The numbers of a run: what moves, and nothing about why.
 #pragma once
 
+#include "numbers/convert.h"
 #include "numbers/finite.h"
 #include "numbers/math.h"
 
@@ -21,6 +22,13 @@ struct alignas(8 * sizeof(Real)) Particle {
     Vec<Real> d;  // m
     Real unused;  // 0
 };
+
+// X + d with X the nearest number: what rounding takes from X is in d.
+template <class Real>
+void split(Particle<Real>& p, const Vec<double>& x) {
+    p.x = as<Real>(x);
+    p.d = as<Real>(x - as<double>(p.x));
+}
 
 // A vector with padding, so that a vertex is one aligned load.
 template <class Real>
@@ -56,6 +64,10 @@ struct State {
     // Empty where nothing in the run asks for it: d one substep earlier, seen from the same x, and
     // velocity when the substep began.
     std::vector<Padded<Real>> last, lastVelocity;
+    // Empty where nothing comes or goes (sources/). Which birth it is of its source, counted from
+    // 0, and the substep that it came with; of what was there from the start 0 and 0; -1 and -1 of
+    // what is not there.
+    std::vector<std::int32_t> id, born;
     std::vector<Drawer<Real>> kept;  // by set, then by force, then the method's
     bool hasPast = false;            // last and lastVelocity hold the substep before this one
     long substep = 0;                // since the start of the run
@@ -82,6 +94,7 @@ struct State {
         std::size_t sum = 0;
         const auto add = [&](const auto& array) { sum += array.size() * sizeof(array[0]); };
         forArrays(*this, add);
+        add(id), add(born);
         for (const Drawer<Real>& drawer : kept) {
             add(drawer.numbers);
             add(drawer.integers);

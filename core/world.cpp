@@ -50,6 +50,7 @@ Range World::add(const Shape& shape, const Matter& matter) {
         throw std::invalid_argument("start must have one position a vertex");
     if (!matter.velocity.empty() && matter.velocity.size() != n)
         throw std::invalid_argument("velocity must have one entry a vertex");
+    if (matter.spare < 0) throw std::invalid_argument("there are no fewer spare vertices than none");
     const auto extend = [](auto& all, const auto& more) {
         all.insert(all.end(), more.begin(), more.end());
     };
@@ -57,8 +58,19 @@ Range World::add(const Shape& shape, const Matter& matter) {
     extend(start, matter.start.empty() ? shape.positions : matter.start);
     extend(velocity, matter.velocity.empty() ? std::vector<Vec<double>>(n) : matter.velocity);
     extend(mass, lumpedMass(shape, matter.density));
+    Range range = complex.append(shape.complex);
+    if (matter.spare > 0) {
+        const auto m = static_cast<std::size_t>(matter.spare);
+        const Vec<double> place = n ? start[start.size() - n] : Vec<double>{};
+        extend(rest, std::vector(m, place));
+        extend(start, std::vector(m, place));
+        extend(velocity, std::vector<Vec<double>>(m));
+        extend(mass, std::vector(m, matter.density));
+        spare.push_back(complex.append(SimplicialComplex(matter.spare)));
+        range.last = spare.back().last;
+    }
     pinned.resize(mass.size(), 0);
-    return complex.append(shape.complex);
+    return range;
 }
 
 void World::pin(std::vector<int> vertices, Motion motion) {
@@ -145,6 +157,14 @@ void checkStencils(const std::string& set, std::span<const int> ids, int arity, 
     if (twice != uses.end())
         throw std::invalid_argument(set + ": a colour has vertex " + std::to_string(twice->second) +
                                     " twice");
+}
+
+void World::checkThere(const std::string& set, std::span<const int> vertices) const {
+    if (spare.empty()) return;
+    for (const int v : vertices)
+        if (isSpare(v))
+            throw std::invalid_argument(set + ": vertex " + std::to_string(v) +
+                                        " is not there from the start");
 }
 
 void World::sweepOut() {

@@ -28,6 +28,9 @@ struct Matter {
                                           // dimension; mass is lumped equally on their vertices
     std::vector<Vec<double>> start = {};  // m; empty: the shape itself, which is the rest shape
     std::vector<Vec<double>> velocity = {};  // m/s; empty: at rest
+    // Vertices behind the shape's, not there until a source brings them (sources/): points of the
+    // density's mass, which wait where the shape's first vertex starts, or at the origin.
+    int spare = 0;
 };
 
 // Where a pinned vertex is at time t (s), given where it started (m).
@@ -85,6 +88,7 @@ struct World {
     std::vector<Vec<double>> rest, start, velocity;  // m, m, m/s, by vertex
     std::vector<double> mass;                        // kg, by vertex
     std::vector<unsigned char> pinned;               // 1: moves only as told
+    std::vector<Range> spare;                        // not there as a run begins, ascending
 
     struct Pins {
         std::vector<int> vertices;
@@ -110,7 +114,8 @@ struct World {
     std::vector<std::string> warnings;  // values outside their sensible range, one line each [FH15]
 
     // Adds a shape and returns its vertices. Throws std::invalid_argument for a density that is not
-    // positive and finite, or for a start or velocity of another length than the shape.
+    // positive and finite, fewer spare vertices than none, or for a start or velocity of another
+    // length than the shape.
     Range add(const Shape& shape, const Matter& matter = {});
 
     // Pinned vertices have no inverse mass: nothing but `motion` or `animation` moves them. These
@@ -145,6 +150,15 @@ struct World {
     void act(Options options);
     template <template <class> class F, class Options>
     static Recipe<Force> recipeOfForce(Options options);
+
+    bool isSpare(int v) const {
+        return std::ranges::any_of(
+            spare, [&](const Range& range) { return range.first <= v && v < range.last; });
+    }
+
+    // Throws std::invalid_argument, naming the set, for a vertex that is spare: constraints are for
+    // what is there from the start (M 3.1.3) [AT21].
+    void checkThere(const std::string& set, std::span<const int> vertices) const;
 
     // Takes out sets and forces whose recipe has become empty, {}.
     void sweepOut();

@@ -4,8 +4,10 @@
 
 #include <plait/numbers/math.h>
 
+#include <cstdint>
 #include <functional>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,12 @@ struct Snapshot {
     double time;                                 // s
     int frame;                                   // 0 is the start
     long failures = 0;                           // of contacts since the frame before
+    // By vertex; empty where nothing comes or goes: which birth it is of its source, -1 of what is
+    // not there; its age (s), below 0 likewise.
+    std::span<const std::int32_t> ids = {};
+    std::span<const double> ages = {};
+
+    bool isHere(int v) const { return ids.empty() || ids[static_cast<std::size_t>(v)] >= 0; }
 };
 
 struct Metric {

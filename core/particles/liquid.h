@@ -12,7 +12,9 @@
 #include "../world.h"
 #include "walls.h"
 
+#include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace plait {
@@ -29,6 +31,10 @@ struct Liquid {
     // explicit stability; below 0.35 that dies out.
     double relaxation = 0.25;
 };
+
+// Throws std::invalid_argument, naming `who`, for particles that are not in the world, a spacing
+// that is not positive, a relaxation that is not above 0 and below 1, and walls that are no frames.
+void checkLiquid(const World& world, const Liquid& liquid, const std::string& who);
 
 // On which terms it meets walls, for collide(): smooth, and a twentieth of a spacing thick.
 // Densities carry what presses on a wall; contacts catch what is thrown at it. Half a spacing would
@@ -47,14 +53,13 @@ Shades shadesOf(const Liquid& liquid);
 double restCompression(const Liquid& liquid, double depth, double gravity, double h);
 
 // By particle, how dense it is over how dense water is at rest: its own sum, not cut off at the
-// surface, where it is less than 1. Walls as they stand at time t (s).
+// surface, where it is less than 1; 0 of one that is not there, whose id is below 0 (by vertex;
+// none: all are). Walls as they stand at time t (s).
 std::vector<double> densityRatios(const Liquid& liquid, std::span<const Vec<double>> positions,
-                                  double t = 0);
+                                  double t = 0, std::span<const std::int32_t> ids = {});
 
 // Adds the set. It is its own mirror image: of a palindrome, forward and backward, it takes the
-// middle, so it should be last by order. Throws std::invalid_argument, naming the set, for
-// particles that are not there, a spacing that is not positive, and a relaxation that is not above
-// 0 and below 1.
+// middle, so it should be last by order. Throws as checkLiquid does.
 void holdDensity(World& world, const Liquid& liquid, SetOptions options);
 
 }  // namespace plait

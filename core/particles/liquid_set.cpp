@@ -44,6 +44,10 @@ LiquidSet<Real>::LiquidSet(const World& world, const Liquid& liquid, const std::
     lambda_.resize(n + slotPadding);
     wall_.resize(n);
     vertex_.resize(n);
+    for (int v = particles_.first; v < particles_.last; ++v) {
+        present_.push_back(v);
+        comes_ = comes_ || world.isSpare(v);
+    }
 }
 
 template <class Real>
@@ -83,16 +87,20 @@ void LiquidSet<Real>::project(const Sweep<Real>& sweep, Direction direction, Wor
 
 template <class Real>
 void LiquidSet<Real>::sort(const Sweep<Real>& sweep, Workers& workers) {
-    const int first = particles_.first;
+    if (comes_) {
+        present_.clear();
+        for (int v = particles_.first; v < particles_.last; ++v)
+            if (sweep.particles[8L * v + 3] > 0) present_.push_back(v);
+    }
     const auto position = [&](int i) {
-        const Real* const p = sweep.particles + 8L * (first + i);
+        const Real* const p = sweep.particles + 8L * present_[i];
         return Vec<Real>{(p[0] - origin_.x) + p[4], (p[1] - origin_.y) + p[5],
                          (p[2] - origin_.z) + p[6]};
     };
-    cells_.sort(static_cast<int>(size()), radius_, position, workers);
+    cells_.sort(static_cast<int>(present_.size()), radius_, position, workers);
     workers.forBlocks(cells_.count(), 1024, [&](int begin, int end) {
         for (int s = begin; s < end; ++s) {
-            vertex_[s] = first + cells_.order()[s];
+            vertex_[s] = present_[cells_.order()[s]];
             inverse_[s] = sweep.particles[8L * vertex_[s] + 3];
         }
     });

@@ -46,7 +46,8 @@ private:
     Cells<Real> cells_;
     std::vector<Real> inverse_, lambda_;  // by slot, padded
     std::vector<Padded<Real>> wall_;
-    std::vector<int> vertex_;
+    std::vector<int> vertex_, present_;
+    bool comes_ = false;  // and goes: not all are present
     bool evaluated_ = false;  // forward, and not yet backward
 };
 

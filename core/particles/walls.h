@@ -38,6 +38,19 @@ public:
     Shade at(const Vec<double>& point) const;
     // False: within `reach` (m) of the point no kernel meets a wall.
     bool near(const Vec<double>& point, double reach) const;
+    // visit(side, way) for each wall within the kernel's radius of a point (m): where it is nearest,
+    // in the world's axes, and the way (m) that it goes there in the base step.
+    template <class Visit>
+    void eachNear(const Vec<double>& point, const Visit& visit) const {
+        for (const Body& body : bodies_) {
+            const Vec<double> own = body.now.own(point);
+            const Side side = sideOf(body.collider.solid, own);
+            if (side.distance >= radius_) continue;
+            const Vec<double> at = own - side.distance * side.normal;
+            visit(Side{side.distance, body.now.worldWay(side.normal)},
+                  body.collider.motion ? body.to.world(at) - body.from.world(at) : Vec<double>{});
+        }
+    }
     bool empty() const { return bodies_.empty(); }
 
 private:

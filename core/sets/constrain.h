@@ -17,6 +17,7 @@ void World::constrain(Rows<Kind> rows, SetOptions options) {
         [set = std::make_shared<const Rows<Kind>>(std::move(rows)), options]<class Real>(
             const World& world, KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
         checkRows(options.name, *set, world.start.size());
+        if constexpr (!requires { Kind::contact; }) world.checkThere(options.name, set->ids);
         if constexpr (Kind::arity == 2)
             if (options.direct) return std::make_unique<DirectSet<Kind, Real>>(set, world.pinned);
         const int padding = static_cast<int>(world.start.size());

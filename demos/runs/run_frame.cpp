@@ -14,7 +14,7 @@ struct Format {
     const char* magic;  // 8 characters
     std::uint32_t version;
 };
-constexpr Format frameFormat{"plaitfrm", 1}, checkpointFormat{"plaitchk", 5};
+constexpr Format frameFormat{"plaitfrm", 2}, checkpointFormat{"plaitchk", 5};
 
 class Writer {
 public:
@@ -107,7 +107,7 @@ std::vector<Vec<double>> getVectors(Reader& reader, int count) {
 std::string encodeFrame(const RunFrame& frame, int size) {
     Writer writer(frameFormat, static_cast<std::size_t>(size));
     for (const std::size_t n : {static_cast<std::size_t>(frame.number), frame.positions.size(),
-                                frame.metrics.size(), std::size_t{0}})
+                                frame.metrics.size(), frame.ids.size()})
         writer.put(static_cast<std::int32_t>(n));
     writer.put(frame.time);
     writer.put(static_cast<std::int64_t>(frame.evaluations));
@@ -117,6 +117,8 @@ std::string encodeFrame(const RunFrame& frame, int size) {
         size == sizeof(float) ? putVectors<float>(writer, *vectors)
                               : putVectors<double>(writer, *vectors);
     writer.put(frame.touched);
+    writer.put(frame.ids);
+    writer.put(frame.ages);
     return writer.finish();
 }
 
@@ -125,7 +127,7 @@ RunFrame decodeFrame(const std::string& bytes, const std::string& name) {
     RunFrame frame;
     frame.number = reader.get<std::int32_t>();
     const int vertices = reader.get<std::int32_t>(), metrics = reader.get<std::int32_t>();
-    reader.get<std::int32_t>();
+    const int comers = reader.get<std::int32_t>();
     frame.time = reader.get<double>();
     frame.evaluations = reader.get<std::int64_t>();
     frame.seconds = reader.get<double>();
@@ -134,6 +136,8 @@ RunFrame decodeFrame(const std::string& bytes, const std::string& name) {
         *vectors = reader.numberSize == sizeof(float) ? getVectors<float>(reader, vertices)
                                                       : getVectors<double>(reader, vertices);
     frame.touched = reader.get<std::uint8_t>(vertices);
+    frame.ids = reader.get<std::int32_t>(comers);
+    frame.ages = reader.get<double>(comers);
     return frame;
 }
 
@@ -150,6 +154,7 @@ std::string encodeCheckpoint(const Checkpoint<Real>& checkpoint) {
         writer.put(array);
     };
     State<Real>::forArrays(state, put);
+    put(state.id), put(state.born);
     writer.put(static_cast<std::int64_t>(state.kept.size()));
     for (const Drawer<Real>& drawer : state.kept) {
         put(drawer.numbers);
@@ -172,6 +177,7 @@ Checkpoint<Real> decodeCheckpoint(const std::string& bytes, const std::string& n
         array = reader.get<T>(reader.get<std::int64_t>());
     };
     State<Real>::forArrays(state, take);
+    take(state.id), take(state.born);
     const auto drawers = reader.get<std::int64_t>();
     for (std::int64_t i = 0; i < drawers; ++i) {
         Drawer<Real>& drawer = state.kept.emplace_back();

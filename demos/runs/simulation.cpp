@@ -39,9 +39,11 @@ public:
                        .metrics = {},
                        .positions = solver_.positions(),
                        .velocities = solver_.velocities(),
-                       .touched = touched()};
-        const Snapshot snapshot{frame.positions, frame.velocities, frame.time, frame.number,
-                                solver_.failures()};
+                       .touched = touched(),
+                       .ids = solver_.state().id,
+                       .ages = solver_.ages()};
+        const Snapshot snapshot{frame.positions,    frame.velocities, frame.time, frame.number,
+                                solver_.failures(), frame.ids,        frame.ages};
         for (const Metric& metric : run_.scene.metrics)
             frame.metrics.push_back(metric.measure(snapshot));
         for (auto* vectors : {&frame.positions, &frame.velocities})
