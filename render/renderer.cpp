@@ -111,9 +111,8 @@ bool Renderer::isGlass(const Skin& skin) {
     return family == Family::glass || family == Family::crystal;
 }
 
-Picture Renderer::draw(std::span<const Vec<double>> positions, double t, const Overlay* overlay,
-                       const CameraPose* chosen) {
-    expose({positions, t}, overlay, chosen, glm::vec2(0));
+Picture Renderer::draw(const Moment& moment, const Overlay* overlay, const CameraPose* chosen) {
+    expose(moment, overlay, chosen, glm::vec2(0));
     return grade_.apply(resolved_.texture, static_cast<float>(view_.stage.vignette), empty_);
 }
 
@@ -180,23 +179,22 @@ void Renderer::expose(const Moment& moment, const Overlay* overlay, const Camera
 }
 
 void Renderer::update(const Moment& moment, const Overlay* overlay, const Shot& shot) {
-    const auto& [positions, t] = moment;
     const Lens lens{shot.pose.eye, shot.pose.forward(),
                     2 * std::tan(shot.pose.fieldOfView / 2) / static_cast<float>(options_.height)};
     std::vector<glm::vec3> tints;
     if (overlay)
         for (const float value : overlay->values) tints.push_back(overlayColor(*overlay, value));
     for (std::size_t i = 0; i < view_.looks.size(); ++i) {
-        skins_[i].update(positions, tints, lens);
+        skins_[i].update(moment.positions, tints, lens, moment.ages);
         uploadVertices(meshes_[i].vertices, skins_[i].vertices());
     }
     for (std::size_t i = 0; i < view_.props.size(); ++i) {
         if (!view_.props[i].motion) continue;
         const std::size_t skin = view_.looks.size() + i;
-        skins_[skin].place(view_.props[i].motion(t));
+        skins_[skin].place(view_.props[i].motion(moment.time));
         uploadVertices(meshes_[skin].vertices, skins_[skin].vertices());
     }
-    if (water_) water_->update(positions);
+    if (water_) water_->update(moment.positions, moment.ages);
     std::vector<const Skin*> veils;
     for (const Skin& skin : skins_)
         if (isVeil(skin)) veils.push_back(&skin);

@@ -33,6 +33,7 @@ struct RenderOptions {
 struct Moment {
     std::span<const Vec<double>> positions;
     double time = 0;
+    std::span<const double> ages = {};  // s, by vertex; below 0: not there. Empty: all are there
 };
 
 // Owns its context. Any thread may draw, one at a time. The same positions, time and overlay give
@@ -46,10 +47,14 @@ public:
     Renderer& operator=(const Renderer&) = delete;
     ~Renderer();
 
-    // Positions of all vertices of the world (m) at time t (s); the camera is where the view puts
-    // it then, or `chosen`. The overlay has a value for each vertex.
-    Picture draw(std::span<const Vec<double>> positions, double t, const Overlay* overlay = nullptr,
+    // The camera is where the view puts it at the time, or `chosen`. The overlay has a value for
+    // each vertex.
+    Picture draw(const Moment& moment, const Overlay* overlay = nullptr,
                  const CameraPose* chosen = nullptr);
+    Picture draw(std::span<const Vec<double>> positions, double t, const Overlay* overlay = nullptr,
+                 const CameraPose* chosen = nullptr) {
+        return draw(Moment{positions, t}, overlay, chosen);
+    }
 
     // The mean light of some moments, as a film that is exposed to all of them takes it; edges
     // are smoother, since each is taken a part of a pixel aside.

@@ -33,7 +33,8 @@ template <class Real>
 struct CarriedBlocks {
     Real* ways;     // 4 a facet: area times how fast the air goes along it to each of its corners
                     // from the side across, m^2/s, and what goes through it, m^3/s
-    Real* rates;    // of a facet, 1/s: the largest of these by area
+    Real* rates;    // of a facet, 1/s: the largest of these by area at rest
+    Real fastest;   // 1/s: through larger or faster facets air goes at this rate and no more
     Real* slopes;   // of a facet: a third of its area times how a field changes for the air
     Real* normals;  // 4: unit normal, and the air's speed along it, m/s
     Real* right;    // MomentumFilter::solve()

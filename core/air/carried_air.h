@@ -58,7 +58,7 @@ private:
     };
 
     void findBorder(std::span<const RestFacet> triangles);
-    CarriedBlocks<Real> blocks(State<Real>& state, Real* momentum);
+    CarriedBlocks<Real> blocks(State<Real>& state, Real* momentum, double seconds);
     void closeInflow(const State<Real>& state, const AirStep<Real>& step);
     int turns(double seconds) const;
     template <class Write>

@@ -44,11 +44,13 @@ template <class T>
                 toOrigin = -(toFirst + toSecond);
         const auto magnitude = [](T a) { return select(a < T(0), -a, a); };
         const auto larger = [](T a, T b) { return select(a < b, b, a); };
+        const T perArea = member<T>(facets.rows + 5 * (n - lane) + lane, 1);
+        const T rate =
+            perArea * larger(magnitude(toOrigin), larger(magnitude(toFirst), magnitude(toSecond)));
+        const T most(carried.fastest), part = select(rate > most, divide(most, rate), T(1));
         scatter<T>(carried.ways + 4 * n, consecutive, 4,
-                   {{toOrigin, toFirst, toSecond}, dot(side, air)});
-        store<T>(carried.rates + n, divide(larger(magnitude(toOrigin),
-                                                  larger(magnitude(toFirst), magnitude(toSecond))),
-                                           size));
+                   {part * Vec<T>{toOrigin, toFirst, toSecond}, dot(side, air)});
+        store<T>(carried.rates + n, part * rate);
     }
 }
 

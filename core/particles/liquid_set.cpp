@@ -39,7 +39,7 @@ LiquidSet<Real>::LiquidSet(const World& world, const Liquid& liquid, const std::
     // than twenty times the multiplier of ordinary water.
     const double inverse = 1 / world.mass[liquid.particles.first];
     least_ = static_cast<Real>(0.05 * latticeAnswer(inverse, liquid.spacing));
-    const auto n = static_cast<std::size_t>(size());
+    const auto n = static_cast<std::size_t>(particles_.size());
     inverse_.resize(n + slotPadding);
     lambda_.resize(n + slotPadding);
     wall_.resize(n);

@@ -26,7 +26,7 @@ public:
     void beginFrame(double t0, double t1) override { walls_.beginFrame(t0, t1); }
     void begin(const Substep& substep, Workers& workers) override;
     void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override;
-    long size() const override { return particles_.last - particles_.first; }
+    long size() const override { return static_cast<long>(present_.size()); }
 
     // Of the last evaluation, by slot: multipliers (kg m^2), what walls take and its gradient, and
     // which vertex it is.

@@ -72,12 +72,13 @@ Viscosity<Real>::Viscosity(const World& world, const Liquid& liquid,
 template <class Real>
 void Viscosity<Real>::furnish(Drawer<Real>& kept) const {
     kept.integers.assign(numbers, 0);
+    kept.numbers.assign(3 * static_cast<std::size_t>(particles_.size()), Real(0));
 }
 
 template <class Real>
 void Viscosity<Real>::prepare(State<Real>& state, Drawer<Real>& kept, double t, double h,
                               Workers& workers) {
-    sort(state, workers);
+    sort(state, kept, workers);
     findLinks(workers);
     findWalls(t, h, workers);
     const int taken = solve(h, workers);
@@ -89,6 +90,7 @@ void Viscosity<Real>::prepare(State<Real>& state, Drawer<Real>& kept, double t, 
         for (int s = begin; s < end; ++s) {
             const int v = vertices_[s];
             const Vec<Real> change = v_[s] - right_[s];
+            put(&kept.numbers[3 * (v - particles_.first)], as<double>(change));
             state.velocity[v].v += change;
             if (past) state.lastVelocity[v].v += change;
         }
@@ -97,10 +99,13 @@ void Viscosity<Real>::prepare(State<Real>& state, Drawer<Real>& kept, double t, 
 
 // What is not there, or is held, takes no part.
 template <class Real>
-void Viscosity<Real>::sort(const State<Real>& state, Workers& workers) {
+void Viscosity<Real>::sort(const State<Real>& state, Drawer<Real>& kept, Workers& workers) {
     present_.clear();
     for (int v = particles_.first; v < particles_.last; ++v)
-        if (state.particles[v].w > 0) present_.push_back(v);
+        if (state.particles[v].w > 0)
+            present_.push_back(v);
+        else
+            put(&kept.numbers[3 * (v - particles_.first)], Vec<double>{});
     const auto n = present_.size();
     const auto position = [&](int i) { return as<Real>(state.position(present_[i]) - origin_); };
     cells_.sort(static_cast<int>(n), static_cast<Real>(radius_), position, workers);
@@ -115,6 +120,8 @@ void Viscosity<Real>::sort(const State<Real>& state, Workers& workers) {
                              ? Real(1)
                              : static_cast<Real>(options_.factors[v - particles_.first]);
             right_[s] = v_[s] = state.velocity[v].v;
+            const Real* const change = &kept.numbers[3 * (v - particles_.first)];
+            if (options_.implicit) v_[s] += Vec<Real>{change[0], change[1], change[2]};
         }
     });
 }

@@ -9,7 +9,8 @@
 //
 // Implicit: (M + h V) v' = M v, by Jacobi's iterations with blocks of 3 x 3 and Chebyshev's
 // weights, whose bounds are known beforehand, until no vertex is off by more than a tolerance: no
-// sum over all, so that the bits do not depend on threads. Whatever h is, it cannot blow up.
+// sum over all, so that the bits do not depend on threads. It begins with the change of the last
+// substep, which in what creeps is that of this one. Whatever h is, it cannot blow up.
 #pragma once
 
 #include "../force.h"
@@ -65,7 +66,7 @@ private:
         int slot;
     };
 
-    void sort(const State<Real>& state, Workers& workers);
+    void sort(const State<Real>& state, Drawer<Real>& kept, Workers& workers);
     void findLinks(Workers& workers);
     void findWalls(double t, double h, Workers& workers);
     double findBlocks(double h, Workers& workers);

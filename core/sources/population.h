@@ -27,11 +27,13 @@ public:
     // With a past that goes on as it comes, for BDF2.
     void bring(int v, const Arrival& arrival) {
         const auto i = static_cast<std::size_t>(v);
-        put(i, arrival.x, as<Real>(arrival.v));
+        move(v, arrival);
         state_.particles[i].w = static_cast<Real>(1 / arrival.mass);
         state_.id[i] = arrival.id;
         state_.born[i] = static_cast<std::int32_t>(state_.substep);
     }
+
+    void move(int v, const Arrival& to) { put(static_cast<std::size_t>(v), to.x, as<Real>(to.v)); }
 
     // Where it waits (m) from now on.
     void take(int v, const Vec<double>& place) {

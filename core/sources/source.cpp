@@ -56,6 +56,7 @@ Source<Real>::Source(const World& world, const SourceOptions& options) : options
     refuse(!(options.lifespan > 0) || !(options.lifespanSpread >= 0) ||
                (options.lifespanSpread > 0 && !(options.lifespanSpread < options.lifespan)),
            "a lifespan must be above 0");
+    refuse(!(options.hold >= 0), "it holds for no less than 0 s");
     for (const double number : {options.velocity.x, options.velocity.y, options.velocity.z,
                                 options.scatter, options.scatterVelocity})
         refuse(!std::isfinite(number), "all numbers must be finite");
@@ -69,44 +70,55 @@ void Source<Real>::furnish(Drawer<Real>& kept) const {
 }
 
 template <class Real>
-typename Source<Real>::Aim Source<Real>::aim(std::int32_t id, const Vec<double>& point,
-                                             double t) const {
-    Aim own{
-        point + options_.scatter * inBall(id, options_.seed, placeNumber),
-        options_.velocity + options_.scatterVelocity * inBall(id, options_.seed, velocityNumber)};
-    if (!options_.motion) return own;
-    const Placement axes(options_.motion(t), options_.name);
-    return {axes.world(own.place), axes.worldWay(own.velocity)};
+double Source<Real>::birth(std::int32_t id) const {
+    const auto volley = id / static_cast<std::int32_t>(options_.nozzle.size());
+    return options_.from + volley * options_.every;
 }
 
-// What was born since the last substep began has flown on in a straight line, so that volleys are
-// evenly spaced whatever h is.
+// Straight on from where it was born, so that volleys are evenly spaced whatever h is.
+template <class Real>
+Arrival Source<Real>::at(int v, std::int32_t id, double t) const {
+    Vec<double> place = options_.nozzle[id % std::ssize(options_.nozzle)] +
+                        options_.scatter * inBall(id, options_.seed, placeNumber);
+    Vec<double> velocity =
+        options_.velocity + options_.scatterVelocity * inBall(id, options_.seed, velocityNumber);
+    const double when = birth(id);
+    if (options_.motion) {
+        const Placement axes(options_.motion(when), options_.name);
+        place = axes.world(place), velocity = axes.worldWay(velocity);
+    }
+    return {.id = id,
+            .x = place + (t - when) * velocity,
+            .v = velocity,
+            .mass = mass_[v - options_.spare.first]};
+}
+
+template <class Real>
+void Source<Real>::age(Population<Real>& population, const State<Real>& state, double t) const {
+    const Range spare = options_.spare;
+    for (int v = spare.first; v < spare.last; ++v) {
+        if (!population.isHere(v)) continue;
+        const std::int32_t id = state.id[v];
+        if (options_.lifespan < infinity && population.age(v) >= lifespanOf(options_, id))
+            population.take(v, waiting_[v - spare.first]);
+        else if (t - birth(id) < options_.hold)
+            population.move(v, at(v, id, t));
+    }
+}
+
 template <class Real>
 void Source<Real>::prepare(State<Real>& state, Drawer<Real>& kept, double t, double h, Workers&) {
     Population<Real> population(state, h);
-    const Range spare = options_.spare;
-    if (options_.lifespan < infinity)
-        for (int v = spare.first; v < spare.last; ++v)
-            if (population.isHere(v) && population.age(v) >= lifespanOf(options_, state.id[v]))
-                population.take(v, waiting_[v - spare.first]);
-    int free = spare.first;
-    for (;;) {
-        const double when = options_.from + kept.integers[volleys] * options_.every;
+    age(population, state, t);
+    std::int32_t& next = kept.integers[births];
+    for (int free = options_.spare.first;; ++next) {
+        const double when = birth(next);
         if (when > t + 1e-9 * h || when >= options_.until) return;
-        ++kept.integers[volleys];
-        for (const Vec<double>& point : options_.nozzle) {
-            while (free < spare.last && population.isHere(free)) ++free;
-            const std::int32_t id = kept.integers[births]++;
-            if (free == spare.last) {
-                ++kept.integers[misses];
-                continue;
-            }
-            const Aim own = aim(id, point, when);
-            population.bring(free, {.id = id,
-                                    .x = own.place + (t - when) * own.velocity,
-                                    .v = own.velocity,
-                                    .mass = mass_[free - spare.first]});
-        }
+        while (free < options_.spare.last && population.isHere(free)) ++free;
+        if (free < options_.spare.last)
+            population.bring(free, at(free, next, t));
+        else
+            ++kept.integers[misses];
     }
 }
 

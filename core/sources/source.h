@@ -10,6 +10,9 @@
 namespace plait {
 
 struct World;
+struct Arrival;
+template <class Real>
+class Population;
 
 // Of what a source has brought, a number that stays with it for life: 0 to 1, without 1, from its
 // id and the source's seed alone; `which` tells several from each other.
@@ -25,6 +28,9 @@ struct SourceOptions {
     double from = 0, until = infinity;     // s: the first volley; none at `until` or later
     // How far off place and velocity may be: even in a ball of this radius, m, and m/s.
     double scatter = 0, scatterVelocity = 0;
+    // s that what comes still goes as it came, whatever pushes or pulls, as what is in a nozzle
+    // does.
+    double hold = 0;
     double lifespan = infinity;  // s
     double lifespanSpread = 0;   // s, more or less, evenly
     std::uint64_t seed = 1;
@@ -51,12 +57,11 @@ public:
     static int missed(const Drawer<Real>& kept) { return kept.integers[misses]; }
 
 private:
-    enum { volleys, births, misses, numbers };
+    enum { births, misses, numbers };
 
-    struct Aim {
-        Vec<double> place, velocity;  // m, m/s
-    };
-    Aim aim(std::int32_t id, const Vec<double>& point, double t) const;
+    double birth(std::int32_t id) const;                 // s
+    Arrival at(int v, std::int32_t id, double t) const;  // at a time
+    void age(Population<Real>& population, const State<Real>& state, double t) const;
 
     SourceOptions options_;
     std::vector<Vec<double>> waiting_;  // m

@@ -51,7 +51,7 @@ Settings wordsOf(const PictureOptions& options) {
 }
 
 // Moments of half a frame's time, as a film camera has it, up to `frame`, and what keeps them: on
-// straight ways from the frame before.
+// straight ways from the frame before. What has come since has flown here as it flies.
 struct Exposure {
     Exposure(const RunFrame& before, const RunFrame& frame, int moments) {
         constexpr double open = 0.5;
@@ -60,9 +60,12 @@ struct Exposure {
             const double s = 1 - open * (moments - 1 - i) / moments;
             std::vector<Vec<double>> x = frame.positions;
             for (std::size_t v = 0; v < x.size(); ++v)
-                x[v] = (1 - s) * before.positions[v] + s * frame.positions[v];
+                if (before.ids.empty() || before.ids[v] == frame.ids[v])
+                    x[v] = (1 - s) * before.positions[v] + s * frame.positions[v];
+                else
+                    x[v] -= (1 - s) * (frame.time - before.time) * frame.velocities[v];
             positions.push_back(std::move(x));
-            all.push_back({positions.back(), (1 - s) * before.time + s * frame.time});
+            all.push_back({positions.back(), (1 - s) * before.time + s * frame.time, frame.ages});
         }
     }
 
@@ -259,7 +262,7 @@ Picture Pictures::Work::drawn(Renderer& lens, int number, const RunFrame& frame,
     const Overlay* const colors = overlays.none() ? nullptr : &overlay;
     const CameraPose* const chosen = pose ? &*pose : nullptr;
     return before ? lens.draw(Exposure(*before, frame, options.subframes).all, colors, chosen)
-                  : lens.draw(frame.positions, frame.time, colors, chosen);
+                  : lens.draw({frame.positions, frame.time, frame.ages}, colors, chosen);
 }
 
 Picture Pictures::Work::finished(const Drawn& drawn) const {

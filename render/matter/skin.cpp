@@ -225,7 +225,7 @@ void Skin::layCloth(std::span<const Vec<double>> rest,
 }
 
 void Skin::update(std::span<const Vec<double>> positions, std::span<const glm::vec3> tints,
-                  const Lens& lens) {
+                  const Lens& lens, std::span<const double> ages) {
     if (range_.size() == 0) return;  // a prop
     if (static_cast<int>(positions.size()) < range_.last ||
         (!tints.empty() && static_cast<int>(tints.size()) < range_.last))
@@ -241,6 +241,7 @@ void Skin::update(std::span<const Vec<double>> positions, std::span<const glm::v
     if (!facets_.empty()) return facets_.update(coarse_, vertices_);
     if (surfaceVertices_ > 0) updateSurface(!tints.empty());
     updateCurves();
+    updateBalls(ages);
     if (wire_) updateWire(*wire_, positions, lens);
 }
 
@@ -303,7 +304,11 @@ void Skin::updateCurves() {
         }
         appendTube(points, tints, curve.closed, radius_, vertices_, triangles_);
     }
+}
+
+void Skin::updateBalls(std::span<const double> ages) {
     for (const int v : balls_) {
+        if (!ages.empty() && ages[range_.first + v] < 0) continue;
         const int first = static_cast<int>(vertices_.size());
         for (const auto& p : ball_.positions)
             vertices_.push_back({.position = coarse_[v] + toGlm(p),

@@ -30,9 +30,10 @@ public:
     explicit Skin(const Prop& prop);
 
     // Positions of the whole world (m); tints of an overlay by vertex of the world, or none.
-    // Wires are as wide as `lens` wants them.
+    // Wires are as wide as `lens` wants them. Balls are where `ages` (by vertex of the world, s) are
+    // not below 0, or everywhere.
     void update(std::span<const Vec<double>> positions, std::span<const glm::vec3> tints = {},
-                const Lens& lens = {});
+                const Lens& lens = {}, std::span<const double> ages = {});
     // Of a thing that keeps its shape: where its own axes are now.
     void place(const Frame& frame);
 
@@ -61,6 +62,7 @@ private:
     void updateStretch();
     void addWire(std::span<const Vec<double>> rest, const Look& look, float pixel);
     void updateCurves();
+    void updateBalls(std::span<const double> ages);
     void updateWire(WireSkin& wire, std::span<const Vec<double>> positions, const Lens& lens);
 
     Range range_;

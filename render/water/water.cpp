@@ -53,13 +53,12 @@ Water::Water(const Look& look, const std::string& prologue, int width, int heigh
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
 }
 
-void Water::update(std::span<const Vec<double>> positions) {
+void Water::update(std::span<const Vec<double>> positions, std::span<const double> ages) {
     points_.clear();
+    for (int i = range_.first; i < range_.last; ++i)
+        if (ages.empty() || ages[i] >= 0) points_.push_back(toGlm(positions[i]));
     middle_ = glm::vec3(0);
-    for (int i = range_.first; i < range_.last; ++i) {
-        points_.push_back(toGlm(positions[i]));
-        middle_ += points_.back() / static_cast<float>(range_.size());
-    }
+    for (const glm::vec3& p : points_) middle_ += p / static_cast<float>(points_.size());
     glBindBuffer(GL_ARRAY_BUFFER, buffer_);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(points_.size() * sizeof(glm::vec3)),
                  points_.data(), GL_STREAM_DRAW);

@@ -26,8 +26,8 @@ public:
     // std::invalid_argument for more panes than six.
     Water(const Look& look, const std::string& prologue, int width, int height);
 
-    // Positions of the whole world, m.
-    void update(std::span<const Vec<double>> positions);
+    // Positions (m) and ages (s; below 0: not there) of the whole world; no ages: all are there.
+    void update(std::span<const Vec<double>> positions, std::span<const double> ages = {});
     std::span<const glm::vec3> points() const { return points_; }
     // m, of a ball: those of neighbours overlap.
     float radius() const { return radius_; }

@@ -7,5 +7,6 @@ namespace plait {
 
 Scene damBreak(const Knobs&);
 Scene pouring(const Knobs&);
+Scene honey(const Knobs&);
 
 }  // namespace plait
