@@ -15,8 +15,7 @@ namespace {
 constexpr int carriedGrain = 256;
 // The midpoint rule holds where a step takes the air past no more of a triangle.
 constexpr double longestStep = 0.7;
-// In a substep: the midpoint rule lets the shortest waves grow, by 3 % a step.
-constexpr int mostSteps = 10;
+constexpr int mostSteps = 10;  // in a substep
 
 template <class Real>
 Vec<double> wide(const Padded<Real>& p) {
@@ -171,10 +170,14 @@ void CarriedAir<Real>::exchange(State<Real>& state, Real* momentum, const AirSte
     };
     const int steps = turns(seconds);
     Real* const middle = middle_.data();
+    Real most = 0;
+    for (const int v : vertexAt_) most = std::max(most, std::abs(momentum[v]));
     for (int i = 0; i < steps; ++i) {
         carry(momentum, middle, seconds / (2 * steps));
         carry(middle, momentum, seconds / steps);
     }
+    // What is carried is nowhere more than it was: the scheme alone does not know that.
+    for (const int v : vertexAt_) momentum[v] = std::clamp(momentum[v], -most, most);
     meet(kernels.right);
     solve();
     meet(kernels.exchanged);

@@ -225,10 +225,19 @@ void Viscosity<Real>::findResidual(double h, Workers& workers) {
 
 // D the blocks: the eigenvalues of D^-1 (M + h V) lie between m and 2 - m, m the least mass over a
 // block, whatever the links; so Chebyshev's weights are known. The last step is an explicit one,
-// in which each link gives one what it takes from the other.
+// in which each link gives one what it takes from the other: small, where the tolerance is met.
 template <class Real>
 int Viscosity<Real>::solve(double h, Workers& workers) {
     findResidual(h, workers);
+    if (options_.implicit && worst_ > options_.tolerance) {
+        const double begun = worst_;  // with the change of the last substep
+        v_.swap(next_), v_ = right_;
+        findResidual(h, workers);
+        if (worst_ > begun) {
+            v_.swap(next_);
+            findResidual(h, workers);
+        }
+    }
     int taken = 0;
     if (options_.implicit && worst_ > options_.tolerance) {
         const double radius = 1 - 1 / findBlocks(h, workers), squared = radius * radius;
@@ -247,9 +256,10 @@ int Viscosity<Real>::solve(double h, Workers& workers) {
             findResidual(h, workers);
         }
     }
-    workers.forBlocks(cells_.count(), someSlots, [&](int begin, int end) {
-        for (int s = begin; s < end; ++s) v_[s] += residual_[s];
-    });
+    if (!options_.implicit || worst_ <= options_.tolerance)
+        workers.forBlocks(cells_.count(), someSlots, [&](int begin, int end) {
+            for (int s = begin; s < end; ++s) v_[s] += residual_[s];
+        });
     return taken;
 }
 

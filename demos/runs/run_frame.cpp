@@ -14,7 +14,7 @@ struct Format {
     const char* magic;  // 8 characters
     std::uint32_t version;
 };
-constexpr Format frameFormat{"plaitfrm", 2}, checkpointFormat{"plaitchk", 5};
+constexpr Format frameFormat{"plaitfrm", 1}, checkpointFormat{"plaitchk", 5};
 
 class Writer {
 public:

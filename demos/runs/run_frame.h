@@ -1,6 +1,6 @@
 // A frame of a run, and how frames and the solver's state stand in the cache.
 //
-// Both files begin with eight letters, the format's version (uint32: 2 of a frame, 5 of a
+// Both files begin with eight letters, the format's version (uint32: 1 of a frame, 5 of a
 // checkpoint) and the bytes of a number (uint32: 4 or 8), and end with a hash (uint64,
 // core/measure/hash.h) of all bytes before it. Bytes run from the lowest; a number is a float or a
 // double by the precision of the run.

@@ -7,6 +7,6 @@ namespace plait {
 
 Scene damBreak(const Knobs&);
 Scene pouring(const Knobs&);
-Scene honey(const Knobs&);
+Scene caramel(const Knobs&);
 
 }  // namespace plait

@@ -29,6 +29,7 @@ inline const std::vector<GoldenScene> goldenScenes{
     {"band", 4},
     {"bullet", 6},
     {"cantilever", 9},
+    {"caramel", 72, 6},
     {"chain", 26},
     {"coil", 14},
     {"dam-break", 34},

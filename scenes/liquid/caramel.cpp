@@ -1,4 +1,5 @@
-// Honey falls from a spout onto a plate, and coils there (Ribe, Coiling of viscous jets, 2004).
+// Caramel falls from a spout onto a plate, where it folds and coils (Ribe, Coiling of viscous jets,
+// 2004).
 #include "../parts/measures.h"
 #include "../parts/views.h"
 #include "liquid.h"
@@ -34,11 +35,10 @@ std::vector<Vec<double>> discOf(double spacing) {
 
 std::vector<Collider> plate() {
     Collider floor{.solid = Solid::plane(), .frame = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
-    floor.staticFriction = floor.dynamicFriction = 0;  // what holds honey there is its viscosity
+    floor.staticFriction = floor.dynamicFriction = 0;  // what holds it there is its viscosity
     return {floor};
 }
 
-// Of the layer of the thread half way down, from its middle: where it swings, rad about the axis.
 std::vector<Metric> metricsOf(const Liquid& liquid, double percent) {
     const Range all = liquid.particles;
     const auto here = [=](const Snapshot& at, const auto& which) {
@@ -87,10 +87,10 @@ std::vector<Metric> metricsOf(const Liquid& liquid, double percent) {
 View viewOf(const Liquid& liquid) {
     View view =
         plait::viewOf({liquid.particles}, {0, 0.045, 0}, 0.2, Material::water, {0.25, 0.32, 1.3});
-    view.looks[0].radius = 0.6 * liquid.spacing;
+    view.looks[0].radius = 0.85 * liquid.spacing;
     view.looks[0].color = {0.5, 0.13, 0.004};
     view.looks[0].wall = {.thickness = 0.01, .clear = 0.005};
-    view.stage.floor = {0.6, 0.55, 0.47};
+    view.stage.floor = {0.3, 0.27, 0.23};
     view.groundHeight = 0;
     addBar(view, {0, spout, 0}, {0, spout + 0.06, 0}, 1.25 * thread, Material::steel);
     return view;
@@ -98,7 +98,7 @@ View viewOf(const Liquid& liquid) {
 
 }  // namespace
 
-Scene honey(const Knobs& knobs) {
+Scene caramel(const Knobs& knobs) {
     Scene scene;
     World& world = scene.world;
     const double spacing = knobs.byQuality(2e-3, 1.25e-3, 0.8e-3);
@@ -109,7 +109,7 @@ Scene honey(const Knobs& knobs) {
     liquid.particles =
         world.add({SimplicialComplex(0), {}}, {.density = density * std::pow(spacing, 3),
                                                .spare = volleys * static_cast<int>(nozzle.size())});
-    // What waits does so in the spout.
+    // What is not there yet waits in the spout.
     for (Vec<double>& x : world.start) x = {0, spout + 0.03, 0};
     world.rest = world.start;
     world.act<Source>(SourceOptions{.name = "spout",
@@ -118,16 +118,16 @@ Scene honey(const Knobs& knobs) {
                                     .velocity = {0, -speed, 0},
                                     .every = every,
                                     .until = flows,
-                                    .scatter = 0.3 * spacing,
+                                    .scatter = 0.15 * spacing,
                                     .hold = 2 * every});
     world.act<Gravity>(GravityOptions{.acceleration = {0, -gravity, 0}});
     actViscosity(
         world, liquid,
-        {.viscosity = knobs.number("viscosity"), .tolerance = 2e-4, .mostIterations = 400});
+        {.viscosity = knobs.number("viscosity"), .tolerance = 2e-4, .mostIterations = 1000});
     holdDensity(world, liquid, {.name = "density"});
     collide(world, liquid.walls, {surfaceOf(liquid)}, {.name = "plate", .order = 1});
 
-    const double h = std::sqrt(0.04 / restCompression(liquid, 0.04, gravity, 1));
+    const double h = std::sqrt(0.04 / restCompression(liquid, 0.02, gravity, 1));
     const int substeps = static_cast<int>(std::ceil(1 / (24 * h)));
     scene.options.schedule = {.substeps = substeps, .iterations = 1, .collisionPasses = 1};
     scene.options.sweeps = Sweeps::oneWay;
