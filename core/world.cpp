@@ -50,7 +50,8 @@ Range World::add(const Shape& shape, const Matter& matter) {
         throw std::invalid_argument("start must have one position a vertex");
     if (!matter.velocity.empty() && matter.velocity.size() != n)
         throw std::invalid_argument("velocity must have one entry a vertex");
-    if (matter.spare < 0) throw std::invalid_argument("there are no fewer spare vertices than none");
+    if (matter.spare < 0)
+        throw std::invalid_argument("there are no fewer spare vertices than none");
     const auto extend = [](auto& all, const auto& more) {
         all.insert(all.end(), more.begin(), more.end());
     };

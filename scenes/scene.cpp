@@ -365,8 +365,9 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
          .build = pouring},
         {.name = "caramel",
          .title = "Caramel",
-         .lesson = "A liquid that resists being sheared falls as a thread and lays itself in folds: "
-                   "nobody tells it to turn",
+         .lesson =
+             "A liquid that resists being sheared falls as a thread and lays itself in folds: "
+             "nobody tells it to turn",
          .ingredients = {"source", "viscosity", "density", "contact", "gravity"},
          .omissions = {"surface tension: the thread is thick, and caramel slow",
                        "what is in the spout: it comes as it goes"},

@@ -38,7 +38,7 @@ private:
     };
 
     void look(const Sweep<Real>& sweep, Workers& workers);
-    void keepNearest(int slot, std::vector<int>& found, const Sweep<Real>& sweep) const;
+    void keepNearest(int i, std::vector<int>& found, const Sweep<Real>& sweep) const;
     bool mayMeet(int i, int j) const;
     Near near(const Sweep<Real>& sweep, int i, int j) const;
     bool acts(const Near& near, int k) const;

@@ -47,7 +47,7 @@ private:
     std::vector<Real> inverse_, lambda_;  // by slot, padded
     std::vector<Padded<Real>> wall_;
     std::vector<int> vertex_, present_;
-    bool comes_ = false;  // and goes: not all are present
+    bool comes_ = false;      // and goes: not all are present
     bool evaluated_ = false;  // forward, and not yet backward
 };
 

@@ -38,8 +38,8 @@ public:
     Shade at(const Vec<double>& point) const;
     // False: within `reach` (m) of the point no kernel meets a wall.
     bool near(const Vec<double>& point, double reach) const;
-    // visit(side, way) for each wall within the kernel's radius of a point (m): where it is nearest,
-    // in the world's axes, and the way (m) that it goes there in the base step.
+    // visit(side, way) for each wall within the kernel's radius of a point (m): where it is
+    // nearest, in the world's axes, and the way (m) that it goes there in the base step.
     template <class Visit>
     void eachNear(const Vec<double>& point, const Visit& visit) const {
         for (const Body& body : bodies_) {

@@ -1,6 +1,7 @@
 // What takes matter: all that goes beyond a plane (a kill plane).
 #pragma once
 
+#include "../complex/complex.h"
 #include "../force.h"
 
 #include <vector>

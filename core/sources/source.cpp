@@ -11,7 +11,7 @@
 namespace plait {
 namespace {
 
-enum { placeNumber, velocityNumber = 16, lifespanNumber = 32 };
+enum { placeNumber = 0, velocityNumber = 16, lifespanNumber = 32 };
 
 // Even in a ball of radius 1: a direction by Archimedes' hat box, a radius by its cube.
 Vec<double> inBall(std::int32_t id, std::uint64_t seed, int which) {

@@ -13,8 +13,8 @@
 //                      an age in s.
 //   cache/checkpoint   "plaitchk", then int32 frame; int64 substep, evaluations; int32 past;
 //                      then the arrays of core/state.h, in their order, ids and births last, each
-//                      after its length (int64); then the number of drawers (int64), and of each its numbers and its
-//                      integers (int32), likewise.
+//                      after its length (int64); then the number of drawers (int64), and of each
+//                      its numbers and its integers (int32), likewise.
 #pragma once
 
 #include <plait/numbers/math.h>

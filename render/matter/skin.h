@@ -30,8 +30,8 @@ public:
     explicit Skin(const Prop& prop);
 
     // Positions of the whole world (m); tints of an overlay by vertex of the world, or none.
-    // Wires are as wide as `lens` wants them. Balls are where `ages` (by vertex of the world, s) are
-    // not below 0, or everywhere.
+    // Wires are as wide as `lens` wants them. Balls are where `ages` (by vertex of the world, s)
+    // are not below 0, or everywhere.
     void update(std::span<const Vec<double>> positions, std::span<const glm::vec3> tints = {},
                 const Lens& lens = {}, std::span<const double> ages = {});
     // Of a thing that keeps its shape: where its own axes are now.

@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <vector>
 
 namespace plait {
 namespace {
@@ -49,6 +51,33 @@ void look(View& view, Range skin, const PartyBalloon& balloon, double stretch) {
     view.inset = Inset{.x = "stretch", .y = "gauge pressure", .curve = {}};
     for (double l = 0.8; l <= stretch + 0.4; l += 0.01)
         view.inset->curve.push_back({l, l < 1 ? 0 : balloon.pressure(l) / 1000});
+}
+
+using Measure = std::function<double(const Snapshot&)>;
+
+// `pressure` is in kPa.
+std::vector<Metric> metricsOf(const World& world, Range skin, const PartyBalloon& party,
+                              const Measure& pressure, const Measure& stretched) {
+    return {{.name = "gauge pressure",
+             .unit = "kPa",
+             .measure = pressure,
+             .low = -0.3,
+             .high = 3.5,  // a sphere has 3.05 at most
+             .caption = true},
+            {.name = "stretch", .unit = "", .measure = stretched, .caption = true},
+            selfIntersections(world, skin, {0, 0}),
+            lowestHeight({0, 1}),
+            contactFailures(),
+            folds(world, skin, {}),
+            {.name = "pressed",
+             .unit = "kPa",
+             .measure =
+                 [=](const Snapshot& at) {
+                     return pressure(at) - party.pressure(stretched(at)) / 1000;
+                 },
+             .low = 0,
+             .high = 0.1,  // 0.03 as a sphere it is not, the rest is the floor's
+             .from = 8}};
 }
 
 }  // namespace
@@ -88,32 +117,12 @@ Scene balloon(const Knobs& knobs) {
     scene.options.sweeps = Sweeps::oneWay;
     scene.options.damping = 0.02;
     scene.seconds = 9;
-    const auto pressure = [=](const Snapshot& at) {
-        return (amount(at.time) / volumeOf(enclosure, at) - air) / 1000;
-    };
-    const auto stretched = [=](const Snapshot& at) {
-        return std::cbrt(volumeOf(enclosure, at) / rest);
-    };
-    scene.metrics = {{.name = "gauge pressure",
-                      .unit = "kPa",
-                      .measure = pressure,
-                      .low = -0.3,
-                      .high = 3.5,  // a sphere has 3.05 at most
-                      .caption = true},
-                     {.name = "stretch", .unit = "", .measure = stretched, .caption = true},
-                     selfIntersections(world, skin, {0, 0}),
-                     lowestHeight({0, 1}),
-                     contactFailures(),
-                     folds(world, skin, {}),
-                     {.name = "pressed",
-                      .unit = "kPa",
-                      .measure =
-                          [=](const Snapshot& at) {
-                              return pressure(at) - party.pressure(stretched(at)) / 1000;
-                          },
-                      .low = 0,
-                      .high = 0.1,  // 0.03 as a sphere it is not, the rest is the floor's
-                      .from = 8}};
+    scene.metrics = metricsOf(
+        world, skin, party,
+        [=](const Snapshot& at) {
+            return (amount(at.time) / volumeOf(enclosure, at) - air) / 1000;
+        },
+        [=](const Snapshot& at) { return std::cbrt(volumeOf(enclosure, at) / rest); });
     look(scene.view, skin, party, stretch);
     return scene;
 }

@@ -66,7 +66,9 @@ std::vector<Metric> metricsOf(const Liquid& liquid, double percent) {
     };
     const auto compression = [=](const Snapshot& at) {
         if (count(at) == 0) return 0.0;
-        return 100 * (std::ranges::max(densityRatios(liquid, at.positions, at.time, at.ids)) - 1);
+        return 100 *
+               std::max(0.0,
+                        std::ranges::max(densityRatios(liquid, at.positions, at.time, at.ids)) - 1);
     };
     return {{.name = "particles",
              .unit = "",

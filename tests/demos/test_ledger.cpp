@@ -102,10 +102,10 @@ TEST_CASE("ledger: ingredients are read off the world and its options", "[ledger
     const std::set<std::string> names = namesOf(ingredientsOf(flag));
     for (const std::string& set : setsOf(flag)) CHECK(names.contains(set + ": left out"));
     for (const char* name :
-         {"gravity: left out", "air: left out", "air: without what it carries", "air: without gusts",
-          "contacts: without friction", "contacts: without contact with itself",
-          "contacts: without the way there", "substeps: 30 for 60", "integrator: first order",
-          "direction: one way"}) {
+         {"gravity: left out", "air: left out", "air: without what it carries",
+          "air: without gusts", "contacts: without friction",
+          "contacts: without contact with itself", "contacts: without the way there",
+          "substeps: 30 for 60", "integrator: first order", "direction: one way"}) {
         INFO(name);
         CHECK(names.contains(name));
     }
