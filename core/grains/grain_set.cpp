@@ -43,6 +43,7 @@ GrainSet<Real>::GrainSet(const World& world, const Grains& grains)
     start_.assign(n + 1, 0);
     touching_.assign(n, 0);
     moves_.resize(n);
+    found_.resize(n);
 }
 
 // Jacobi: what moves each is found from where all are, and only then do they move; so forward and
@@ -93,8 +94,9 @@ void GrainSet<Real>::look(const Sweep<Real>& sweep, Workers& workers) {
         if (!spare_[i] || sweep.particles[8L * (first + i) + 3] > 0) present_.push_back(i);
     const Real scale = static_cast<Real>(grains_.searchScale);
     const auto place = [&](int n) { return at(sweep, first + present_[n], origin_); };
-    cells_.sort(static_cast<int>(present_.size()), 2 * scale * largest_, place, workers);
-    std::vector<std::vector<int>> found(static_cast<std::size_t>(count));
+    cells_.sort(static_cast<int>(present_.size()),
+                2 * scale * largest_ + static_cast<Real>(grains_.cling), place, workers);
+    for (std::vector<int>& found : found_) found.clear();
     workers.forBlocks(cells_.count(), grain, [&](int begin, int end) {
         for (int s = begin; s < end; ++s) {
             const int i = present_[cells_.order()[s]];
@@ -103,14 +105,14 @@ void GrainSet<Real>::look(const Sweep<Real>& sweep, Workers& workers) {
                 const Real reach =
                     scale * (radii_[i] + radii_[j]) + static_cast<Real>(grains_.cling);
                 const Vec<Real> apart = cells_.point(s) - cells_.point(other);
-                if (mayMeet(i, j) && dot(apart, apart) < reach * reach) found[i].push_back(j);
+                if (mayMeet(i, j) && dot(apart, apart) < reach * reach) found_[i].push_back(j);
             });
-            keepNearest(i, found[i], sweep);
+            keepNearest(i, found_[i], sweep);
         }
     });
     neighbors_.clear();
     for (int i = 0; i < count; ++i) {
-        neighbors_.insert(neighbors_.end(), found[i].begin(), found[i].end());
+        neighbors_.insert(neighbors_.end(), found_[i].begin(), found_[i].end());
         start_[i + 1] = static_cast<int>(neighbors_.size());
     }
     touch_.assign(neighbors_.size(), {});

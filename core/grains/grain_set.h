@@ -51,11 +51,12 @@ private:
     Real largest_ = 0;  // m
     Vec<Real> origin_;
     Cells<Real> cells_;
-    std::vector<int> present_;            // grains that are there; cells_ counts these
-    std::vector<int> start_, neighbors_;  // by grain, of the substep
-    std::vector<Touch> touch_;            // by neighbour
-    std::vector<int> touching_;           // by grain, of the evaluation
-    std::vector<Vec<Real>> moves_;        // m, by grain
+    std::vector<int> present_;             // grains that are there; cells_ counts these
+    std::vector<int> start_, neighbors_;   // by grain, of the substep
+    std::vector<std::vector<int>> found_;  // by grain, before they stand in one row
+    std::vector<Touch> touch_;             // by neighbour
+    std::vector<int> touching_;            // by grain, of the evaluation
+    std::vector<Vec<Real>> moves_;         // m, by grain
     Real parts_ = 0;          // m, by which pairs may part in a substep that begin it too near
     bool looked_ = false;     // in this substep
     bool evaluated_ = false;  // forward, and not yet backward

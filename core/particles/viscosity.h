@@ -10,7 +10,9 @@
 // Implicit: (M + h V) v' = M v, by Jacobi's iterations with blocks of 3 x 3 and Chebyshev's
 // weights, whose bounds are known beforehand, until no vertex is off by more than a tolerance: no
 // sum over all, so that the bits do not depend on threads. It begins with the change of the last
-// substep, which in what creeps is that of this one. Whatever h is, it cannot blow up.
+// substep, which in what creeps is that of this one. Where the tolerance is met no h blows up;
+// where iterations run out first, see unfinished(), momentum is kept no better than to what is
+// left.
 #pragma once
 
 #include "../force.h"

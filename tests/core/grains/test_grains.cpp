@@ -122,6 +122,14 @@ TEST_CASE("grains: no pair is missed, whatever they look at", "[grains][GR1][GR2
     apart.pieces.assign(at.size(), -1);
     CHECK(same(moved({at, apart}), moved({at, alike})));
 
+    // What clings from afar is far apart in cells as well.
+    std::vector<Vec<double>> row;
+    for (int i = 0; i < 40; ++i) row.push_back({0.071 * i, 0, 0});
+    const auto clung =
+        moved({row, {.radius = r, .attraction = 0.1, .cling = 0.06, .searchScale = 1}});
+    CHECK(clung.front().x == Approx(0.1 * 0.051 / 2 / 2));
+    CHECK(clung.back().x == Approx(-0.1 * 0.051 / 2 / 2));
+
     // Of five around it the nearest two.
     const std::vector<Vec<double>> five{{0, 0, 0},      {0.012, 0, 0},  {0, 0.014, 0},
                                         {-0.018, 0, 0}, {0, -0.017, 0}, {0, 0, 0.019}};
