@@ -100,6 +100,7 @@ Sweep<Real> Solver<Real>::sweepOf(int set) {
     sweep.particles = &state_.particles[0].x.x;
     sweep.before = &state_.before[0].v.x;
     sweep.kept = drawerOf(set).numbers.data();
+    sweep.keptIntegers = drawerOf(set).integers.data();
     return sweep;
 }
 

@@ -7,7 +7,7 @@
 
 namespace plait {
 
-enum class Family { cloth, metal, coat, skin, tulle, brushed, latex, water, glass, crystal };
+enum class Family { cloth, metal, coat, skin, tulle, brushed, latex, water, glass, crystal, spark };
 
 // `numbers` is what the family's shader calls `finish`.
 struct Finish {
@@ -49,6 +49,8 @@ inline Finish finishOf(Material material) {
             return {Family::glass, {0.12f, 0.04f, 4, 0}};
         case Material::crystal:
             return {Family::crystal, {0.15f, 0.04f, 0, 0}};
+        case Material::spark:
+            return {Family::spark, {}};
     }
     return {Family::coat, {}};
 }

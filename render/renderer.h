@@ -33,7 +33,9 @@ struct RenderOptions {
 struct Moment {
     std::span<const Vec<double>> positions;
     double time = 0;
-    std::span<const double> ages = {};  // s, by vertex; below 0: not there. Empty: all are there
+    // By vertex: which of its source it is, and its age, s; below 0: not there. Empty: all are.
+    std::span<const std::int32_t> ids = {};
+    std::span<const double> ages = {};
 };
 
 // Owns its context. Any thread may draw, one at a time. The same positions, time and overlay give

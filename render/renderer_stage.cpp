@@ -86,7 +86,8 @@ void Renderer::drawCasters(const glm::mat4& matrix, float perMetre) {
         glDrawElements(GL_TRIANGLES, mesh.corners, GL_UNSIGNED_INT, nullptr);
     };
     for (std::size_t i = 0; i < skins_.size(); ++i)
-        if (!isTranslucent(skins_[i])) draw(meshes_[i]);
+        if (!isTranslucent(skins_[i]) && finishOf(skins_[i].material()).family != Family::spark)
+            draw(meshes_[i]);
     if (water_) water_->drawShadow(matrix, perMetre);
     if (!netDepth_) return;
     netDepth_.use();

@@ -8,6 +8,7 @@
 #include "glass/glass.h"
 #include "glass/wine_glass.h"
 #include "liquid/liquid.h"
+#include "particles/particles.h"
 #include "slinky/slinky.h"
 
 #include <stdexcept>
@@ -379,6 +380,19 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                     .low = 0,
                     .high = 10000}},
          .build = caramel},
+        {.name = "grain-pile",
+         .title = "Grain pile",
+         .lesson =
+             "Grains that only push and rub stand as a cone: friction, remembered, holds its slope",
+         .ingredients = {"source", "grains", "friction", "contact", "gravity"},
+         .omissions = {"rolling: a grain does not turn", "the funnel: they come as they go"},
+         .essentials = {"funnel"},
+         .knobs = {{.name = "friction",
+                    .meaning = "of grain on grain, standing; sliding, four fifths of it",
+                    .value = 0.5,
+                    .low = 0,
+                    .high = 1}},
+         .build = grainPile},
         {.name = "medley",
          .title = "Medley",
          .lesson =

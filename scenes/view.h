@@ -7,6 +7,7 @@
 #include <plait/contacts/solids/placement.h>
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -34,6 +35,7 @@ struct Camera {
 // world's.
 // Glass is solids of a pane, with sharp edges, whose faces inside are seen where they came apart.
 // Crystal is a vessel of glass with a smooth wall; a thing that stands about.
+// A spark shines by itself: its colour is the light that it sends, and it casts no shadow.
 enum class Material {
     silk,
     cotton,
@@ -50,6 +52,7 @@ enum class Material {
     water,
     glass,
     crystal,
+    spark,
 };
 
 // Of a wire: a rectangle of `along` by `across` its director, or, without the latter, a circle of
@@ -74,6 +77,12 @@ struct GlassPane {
     Vec<double> normal;  // of length 1
 };
 
+// How a point is drawn that comes and goes.
+struct Spot {
+    double radius = 0.004;                 // m; 0: it is not seen
+    std::array<double, 3> color{1, 1, 1};  // linear; of a spark beyond 1
+};
+
 // How one object of the world is drawn: its triangles, or its curves as tubes of `radius`, or, with
 // a `section`, as wires: swept along a smooth curve through the vertices, with the frame that the
 // directors have, at least 1.5 pixels wide and fainter where they are thinner, and darker where
@@ -89,6 +98,8 @@ struct Look {
     // By vertex of the object; none: `color`, and bare skin.
     std::vector<std::array<double, 3>> colors = {};  // linear
     std::vector<double> satin = {};                  // 0 .. 1, how much of it skin wears
+    // Of a point, in place of radius and colour: by the id that its source gave it and its age, s.
+    std::function<Spot(std::int32_t id, double age)> spot = {};
     Section section = {};
     Range directors = {};  // of a wire, one an edge, beside its middle; none: a frame without twist
     // Of latex. Of water: `clear` is the depth (m) at which its colour has swallowed what it can,

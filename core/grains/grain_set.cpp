@@ -3,6 +3,8 @@
 #include "../numbers/convert.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -10,6 +12,19 @@ namespace plait {
 namespace {
 
 constexpr int grain = 128;
+
+// The last takes what is left over, and runs singly.
+constexpr int mostColors = 64;
+
+// Pairs that a grain remembers, of those it comes first in: no more of its size find room on it.
+constexpr int partners = 12;
+// Of the sum of their radii by which two that rest may overlap, so that they keep touching.
+constexpr double slop = 0.005;
+
+// Part of what a pair has slipped that it takes back in a substep. It remembers no more than what
+// two that rest overlap: farther it has slid. (A pair that slid once in a substep must not forget
+// all: pushes that have not converged let each slide now and then.)
+constexpr double returned = 0.2;
 
 template <class Real>
 Vec<Real> at(const Sweep<Real>& sweep, int v, const Vec<Real>& origin) {
@@ -46,13 +61,25 @@ GrainSet<Real>::GrainSet(const World& world, const Grains& grains)
     found_.resize(n);
 }
 
-// Jacobi: what moves each is found from where all are, and only then do they move; so forward and
-// backward are the same, and one of them is an evaluation.
 template <class Real>
 void GrainSet<Real>::project(const Sweep<Real>& sweep, Direction direction, Workers& workers) {
+    if (!std::exchange(looked_, true)) {
+        look(sweep, workers);
+        recall(sweep, workers);
+    }
+    if (grains_.averaging == Averaging::inTurn) {
+        sweepPairs(sweep, direction, workers);
+        return;
+    }
+    // What moves each is found from where all are, and only then do they move; so forward and
+    // backward are the same, and one of them is an evaluation.
     if (direction == Direction::backward && std::exchange(evaluated_, false)) return;
     evaluated_ = direction == Direction::forward;
-    if (!std::exchange(looked_, true)) look(sweep, workers);
+    moveAtOnce(sweep, workers);
+}
+
+template <class Real>
+void GrainSet<Real>::moveAtOnce(const Sweep<Real>& sweep, Workers& workers) {
     const int count = grains_.vertices.size();
     const auto each = [&](int i, const auto& visit) {
         for (int k = start_[i]; k < start_[i + 1]; ++k) {
@@ -69,15 +96,116 @@ void GrainSet<Real>::project(const Sweep<Real>& sweep, Direction direction, Work
     workers.forBlocks(count, grain, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) {
             moves_[i] = {};
-            each(i, [&](int k, const Near& found) { moves_[i] += correction(sweep, i, k, found); });
+            each(i, [&](int k, const Near& found) {
+                const int j = neighbors_[k];
+                moves_[i] +=
+                    partOf(sweep, i, j, found.normal) * exchange(sweep, i, k, found, share(i, j));
+            });
         }
     });
-    workers.forBlocks(count, grain, [&](int begin, int end) {
+    move(sweep, workers);
+}
+
+template <class Real>
+void GrainSet<Real>::move(const Sweep<Real>& sweep, Workers& workers) {
+    workers.forBlocks(grains_.vertices.size(), grain, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) {
             Real* const d = sweep.particles + 8L * (grains_.vertices.first + i) + 4;
             d[0] += moves_[i].x, d[1] += moves_[i].y, d[2] += moves_[i].z;
         }
     });
+}
+
+template <class Real>
+void GrainSet<Real>::furnish(Drawer<Real>& kept) const {
+    const std::size_t places = std::size_t{partners} * radii_.size();
+    kept.integers.assign(places, -1);
+    kept.numbers.assign(places * numbersEach, Real(0));
+}
+
+template <class Real>
+typename GrainSet<Real>::Memory GrainSet<Real>::memoryAt(const Real* n) {
+    return {n[0], {n[1], n[2], n[3]}, {n[4], n[5], n[6]}};
+}
+
+template <class Real>
+int GrainSet<Real>::placeOf(const std::int32_t* all, int owner, int other) const {
+    const std::int32_t *const first = all + std::ptrdiff_t{partners} * owner, *const last =
+                                                                                  first + partners;
+    const std::int32_t* const found = std::find(first, last, other);
+    return found == last ? -1 : static_cast<int>(found - all);
+}
+
+// A pair that touched begins with what it pushed and rubbed.
+template <class Real>
+void GrainSet<Real>::recall(const Sweep<Real>& sweep, Workers& workers) {
+    const Real part = 1 / perSquare_;
+    workers.forBlocks(grains_.vertices.size(), grain, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            moves_[i] = {};
+            for (int k = start_[i]; k < start_[i + 1]; ++k) {
+                const int j = neighbors_[k];
+                const int place = placeOf(sweep.keptIntegers, std::min(i, j), std::max(i, j));
+                if (place < 0) continue;
+                const Memory known = memoryAt(sweep.kept + std::ptrdiff_t{numbersEach} * place);
+                const Vec<Real> normal = near(sweep, i, j).normal;
+                const Real sign = i < j ? Real(1) : Real(-1);
+                const auto across = [&](const Vec<Real>& a) { return a - dot(a, normal) * normal; };
+                touch_[k] = {.pushed = part * known.push,
+                             .rubbed = (sign * part) * across(known.rub),
+                             .back = (sign * static_cast<Real>(returned)) * across(known.slip)};
+                moves_[i] +=
+                    partOf(sweep, i, j, normal) * (touch_[k].pushed * normal + touch_[k].rubbed);
+            }
+        }
+    });
+    move(sweep, workers);
+}
+
+template <class Real>
+typename GrainSet<Real>::Memory GrainSet<Real>::memoryOf(const Sweep<Real>& sweep, int i, int k,
+                                                         const Memory* old) const {
+    const Touch& touch = touch_[k];
+    Memory now{perSquare_ * touch.pushed, perSquare_ * touch.rubbed, {}};
+    if (!old) return now;
+    const int first = grains_.vertices.first;
+    now.slip = (1 - static_cast<Real>(returned)) * old->slip +
+               slipOf(sweep, first + i, first + neighbors_[k]) + touch.back;
+    const Real far = length(now.slip),
+               most = static_cast<Real>(slop) * (radii_[i] + radii_[neighbors_[k]]);
+    if (far > most) now.slip = (most / far) * now.slip;
+    return now;
+}
+
+// Of those that touch, each with the one that comes first; of more than there is room for the most
+// pressed.
+template <class Real>
+void GrainSet<Real>::settle(State<Real>& state, Drawer<Real>& kept, double, double) {
+    Sweep<Real> sweep{};
+    sweep.particles = &state.particles[0].x.x;
+    sweep.before = &state.before[0].v.x;
+    std::vector<std::pair<std::int32_t, Memory>> now;
+    for (int i = 0; i < grains_.vertices.size(); ++i) {
+        now.clear();
+        const auto at = std::ptrdiff_t{partners} * i;
+        for (int k = start_[i]; k < start_[i + 1]; ++k) {
+            if (neighbors_[k] < i || !(touch_[k].pushed > 0)) continue;
+            const int place = placeOf(kept.integers.data(), i, neighbors_[k]);
+            Memory old;
+            if (place >= 0) old = memoryAt(&kept.numbers[std::size_t{numbersEach} * place]);
+            now.emplace_back(neighbors_[k], memoryOf(sweep, i, k, place < 0 ? nullptr : &old));
+        }
+        std::ranges::sort(now, {},
+                          [](const auto& m) { return std::pair(-m.second.push, m.first); });
+        for (std::ptrdiff_t n = 0; n < partners; ++n) {
+            const bool some = n < std::ssize(now);
+            const auto [other, m] = some ? now[n] : std::pair(std::int32_t{-1}, Memory{});
+            kept.integers[at + n] = other;
+            std::ranges::copy(
+                std::array{m.push, m.rub.x, m.rub.y, m.rub.z, m.slip.x, m.slip.y, m.slip.z},
+                kept.numbers.begin() + (at + n) * numbersEach);
+        }
+    }
 }
 
 template <class Real>
@@ -116,6 +244,62 @@ void GrainSet<Real>::look(const Sweep<Real>& sweep, Workers& workers) {
         start_[i + 1] = static_cast<int>(neighbors_.size());
     }
     touch_.assign(neighbors_.size(), {});
+    touching_.assign(radii_.size(), 0);
+    if (grains_.averaging == Averaging::inTurn) color();
+}
+
+// Pairs of a colour have no grain in common: the lowest that neither of both has.
+template <class Real>
+void GrainSet<Real>::color() {
+    taken_.assign(radii_.size(), 0);
+    colorOf_.clear(), colors_.assign(mostColors + 1, 0);
+    const auto each = [&](const auto& visit) {
+        for (int i = 0; i < grains_.vertices.size(); ++i)
+            for (int k = start_[i]; k < start_[i + 1]; ++k)
+                if (i < neighbors_[k]) visit(i, k);
+    };
+    each([&](int i, int k) {
+        const std::uint64_t taken = taken_[i] | taken_[neighbors_[k]];
+        const int color = std::min(std::countr_one(taken), mostColors - 1);
+        taken_[i] |= std::uint64_t{1} << color, taken_[neighbors_[k]] |= std::uint64_t{1} << color;
+        colorOf_.push_back(color);
+        ++colors_[color + 1];
+    });
+    for (int c = 0; c < mostColors; ++c) colors_[c + 1] += colors_[c];
+    pairs_.resize(colorOf_.size());
+    std::vector<int> place(colors_.begin(), colors_.end() - 1);
+    auto color = colorOf_.begin();
+    each([&](int i, int k) { pairs_[place[*color++]++] = {i, k}; });
+}
+
+template <class Real>
+void GrainSet<Real>::sweepPairs(const Sweep<Real>& sweep, Direction direction, Workers& workers) {
+    const bool forward = direction == Direction::forward;
+    for (int n = 0; n < mostColors; ++n) {
+        const int c = forward ? n : mostColors - 1 - n, first = colors_[c];
+        const int count = colors_[c + 1] - first, together = c + 1 < mostColors ? grain : count;
+        workers.forBlocks(count, std::max(1, together), [&](int begin, int end) {
+            for (int p = begin; p < end; ++p) {
+                const auto [i, k] = pairs_[first + (forward ? p : count - 1 - p)];
+                pushPair(sweep, i, k);
+            }
+        });
+    }
+}
+
+template <class Real>
+void GrainSet<Real>::pushPair(const Sweep<Real>& sweep, int i, int k) {
+    const int j = neighbors_[k], first = grains_.vertices.first;
+    const Near found = near(sweep, i, j);
+    if (!acts(found, k)) return;
+    touching_[i] = touching_[j] = 1;
+    const Vec<Real> by = exchange(sweep, i, k, found, 1);
+    const auto shift = [&](int v, const Vec<Real>& way) {
+        Real* const d = sweep.particles + 8L * (first + v) + 4;
+        d[0] += way.x, d[1] += way.y, d[2] += way.z;
+    };
+    shift(i, partOf(sweep, i, j, found.normal) * by);
+    shift(j, -partOf(sweep, j, i, -found.normal) * by);
 }
 
 template <class Real>
@@ -132,7 +316,9 @@ typename GrainSet<Real>::Near GrainSet<Real>::near(const Sweep<Real>& sweep, int
     const Vec<Real> apart = at(sweep, first + i, origin_) - at(sweep, first + j, origin_);
     const Real reach = radii_[i] + radii_[j], gap = length(apart) - reach;
     const Real began = length(apart - slipOf(sweep, first + i, first + j)) - reach;
-    return {apart, gap, std::min(Real(0), began + parts_)};
+    const Real rest = -static_cast<Real>(slop) * reach;
+    const Real wanted = began < rest ? std::min(rest, began + parts_) : std::min(Real(0), began);
+    return {divide(Real(1), length(apart)) * apart, gap, wanted};
 }
 
 template <class Real>
@@ -151,40 +337,45 @@ Real GrainSet<Real>::share(int i, int j) const {
     return Real(1) / static_cast<Real>(of);
 }
 
-// Of i, by neighbour k. What a pair has pushed and rubbed in this substep is known to both alike: a
-// push may be taken back and no more, and friction has all of it as its bound. Those in one place
-// are left to others.
+// Of a pair's correction what is i's.
 template <class Real>
-Vec<Real> GrainSet<Real>::correction(const Sweep<Real>& sweep, int i, int k, const Near& near) {
-    const int first = grains_.vertices.first, j = neighbors_[k];
+Real GrainSet<Real>::partOf(const Sweep<Real>& sweep, int i, int j, const Vec<Real>& normal) const {
+    const int first = grains_.vertices.first;
     const Real wi = sweep.particles[8L * (first + i) + 3],
                wj = sweep.particles[8L * (first + j) + 3];
-    const Vec<Real> normal = divide(Real(1), length(near.apart)) * near.apart;
-    Real own = divide(wi, wi + wj);
-    if (grains_.shock > 0) {
-        const Real x = static_cast<Real>(
-            std::clamp(grains_.shock * dot(as<double>(normal), grains_.up), -1.0, 1.0));
-        const Real heavier = 1 + x * (1 + x * (Real(0.5) + x / 6));
-        own = divide(heavier * wi, heavier * wi + wj);
-    }
-    const Real part = share(i, j) * static_cast<Real>(grains_.weight);
-    if (near.gap > 0 && touch_[k].pushed == 0)
-        return (own * part * static_cast<Real>(grains_.attraction) * -near.gap) * normal;
+    if (grains_.shock == 0) return divide(wi, wi + wj);
+    const Real x = static_cast<Real>(
+        std::clamp(grains_.shock * dot(as<double>(normal), grains_.up), -1.0, 1.0));
+    const Real heavier = 1 + x * (1 + x * (Real(0.5) + x / 6));
+    return divide(heavier * wi, heavier * wi + wj);
+}
+
+// m: how i moves against neighbour k. What a pair has pushed and rubbed in this substep is known to
+// both alike: a push may be taken back and no more, and friction has all of it as its bound. Those
+// in one place are left to others.
+template <class Real>
+Vec<Real> GrainSet<Real>::exchange(const Sweep<Real>& sweep, int i, int k, const Near& near,
+                                   Real share) {
+    const int first = grains_.vertices.first;
+    const Vec<Real>& normal = near.normal;
+    const Real part = share * static_cast<Real>(grains_.weight);
     Touch& touch = touch_[k];
+    if (near.gap > 0 && touch.pushed == 0)
+        return (part * static_cast<Real>(grains_.attraction) * -near.gap) * normal;
     const Real wanted = part * static_cast<Real>(grains_.repulsion) * (near.wanted - near.gap);
     const Real push = std::max(wanted, -touch.pushed);
     touch.pushed += push;
-    const Vec<Real> slip = slipOf(sweep, first + i, first + j),
-                    before = touch.rubbed - dot(touch.rubbed, normal) * normal;
-    Vec<Real> rubbed = before - part * (slip - dot(slip, normal) * normal);
+    const Vec<Real> slip = slipOf(sweep, first + i, first + neighbors_[k]) + touch.back;
+    Vec<Real> rubbed = touch.rubbed - part * (slip - dot(slip, normal) * normal);
+    rubbed -= dot(rubbed, normal) * normal;
     const Real most = length(rubbed);
     if (most > static_cast<Real>(grains_.staticFriction) * touch.pushed)
         rubbed = std::min(Real(1),
                           divide(static_cast<Real>(grains_.dynamicFriction) * touch.pushed, most)) *
                  rubbed;
-    const Vec<Real> rub = rubbed - before;
+    const Vec<Real> rub = rubbed - touch.rubbed;
     touch.rubbed = rubbed;
-    return own * (push * normal + rub);
+    return push * normal + rub;
 }
 
 template <class Real>

@@ -5,6 +5,8 @@
 #include "../particles/cells.h"
 #include "grains.h"
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 namespace plait {
@@ -14,11 +16,14 @@ class GrainSet : public Constraint<Real> {
 public:
     GrainSet(const World& world, const Grains& grains);
 
+    void furnish(Drawer<Real>& kept) const override;
     void begin(const Substep& substep, Workers&) override {
         parts_ = static_cast<Real>(grains_.recovery * substep.h);
+        perSquare_ = static_cast<Real>(1 / (substep.h * substep.h));
         looked_ = evaluated_ = false;
     }
     void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override;
+    void settle(State<Real>& state, Drawer<Real>& kept, double t, double h) override;
     void markTouched(std::vector<std::uint8_t>& touched) const override;
     // Pairs, each counted once.
     long size() const override { return static_cast<long>(neighbors_.size()) / 2; }
@@ -26,7 +31,7 @@ public:
 private:
     // Where one is against another, m.
     struct Near {
-        Vec<Real> apart;
+        Vec<Real> normal;
         Real gap;     // between their skins
         Real wanted;  // gap: 0, or less where they began the substep nearer
     };
@@ -35,15 +40,36 @@ private:
     struct Touch {
         Real pushed = 0;
         Vec<Real> rubbed{};
+        Vec<Real> back{};  // what it slipped in former substeps and should slip back in this one
     };
 
+    // What a pair keeps past a substep, by the one that comes first. The pair's push and rub are
+    // accelerations (m/s^2) of one over the other.
+    struct Memory {
+        Real push;
+        Vec<Real> rub;
+        Vec<Real> slip;  // m, since they stuck
+    };
+    static constexpr int numbersEach = 7;
+    static Memory memoryAt(const Real* numbers);
+    // Its place in the drawer, from the owner's side; -1: these two did not touch.
+    int placeOf(const std::int32_t* partners, int owner, int other) const;
+
     void look(const Sweep<Real>& sweep, Workers& workers);
+    void recall(const Sweep<Real>& sweep, Workers& workers);
+    void color();
+    void moveAtOnce(const Sweep<Real>& sweep, Workers& workers);
+    void sweepPairs(const Sweep<Real>& sweep, Direction direction, Workers& workers);
+    void pushPair(const Sweep<Real>& sweep, int i, int k);
+    void move(const Sweep<Real>& sweep, Workers& workers);
+    Memory memoryOf(const Sweep<Real>& sweep, int i, int k, const Memory* old) const;
+    Real partOf(const Sweep<Real>& sweep, int i, int j, const Vec<Real>& normal) const;
     void keepNearest(int i, std::vector<int>& found, const Sweep<Real>& sweep) const;
     bool mayMeet(int i, int j) const;
     Near near(const Sweep<Real>& sweep, int i, int j) const;
     bool acts(const Near& near, int k) const;
     Real share(int i, int j) const;
-    Vec<Real> correction(const Sweep<Real>& sweep, int i, int k, const Near& near);
+    Vec<Real> exchange(const Sweep<Real>& sweep, int i, int k, const Near& near, Real share);
 
     Grains grains_;
     std::vector<Real> radii_;
@@ -55,9 +81,14 @@ private:
     std::vector<int> start_, neighbors_;   // by grain, of the substep
     std::vector<std::vector<int>> found_;  // by grain, before they stand in one row
     std::vector<Touch> touch_;             // by neighbour
-    std::vector<int> touching_;            // by grain, of the evaluation
-    std::vector<Vec<Real>> moves_;         // m, by grain
+    // Of pairs, by colour: neighbours of grains that come first, and these; where each colour ends.
+    std::vector<std::array<int, 2>> pairs_;
+    std::vector<int> colors_, colorOf_;
+    std::vector<std::uint64_t> taken_;  // by grain, a bit a colour
+    std::vector<int> touching_;         // by grain, of the evaluation
+    std::vector<Vec<Real>> moves_;      // m, by grain
     Real parts_ = 0;          // m, by which pairs may part in a substep that begin it too near
+    Real perSquare_ = 0;      // 1/s^2
     bool looked_ = false;     // in this substep
     bool evaluated_ = false;  // forward, and not yet backward
 };

@@ -7,11 +7,13 @@
 
 namespace plait {
 
-// By what the sum of a grain's corrections is divided.
+// Whether pairs are corrected one after another, or all from where everything is; and then, by what
+// the sum of a grain's corrections is divided.
 enum class Averaging {
-    none,   // nothing: weights above 0.5 blow up where many meet (V)
-    grain,  // how many meet it (V): stable, and loses momentum
-    pair    // of a pair the larger of both counts: stable, and keeps momentum
+    inTurn,  // what comes later sees what came before: needs no average, and keeps momentum
+    none,    // nothing: weights above 0.5 blow up where many meet (V)
+    grain,   // how many meet it (V): stable, and loses momentum
+    pair     // of a pair the larger of both counts: stable, and keeps momentum
 };
 
 struct Grains {
@@ -23,7 +25,7 @@ struct Grains {
     // GR6, GR7]. What clings does so up to `cling` (m) apart.
     double weight = 1, repulsion = 1, attraction = 0;
     double cling = 0;
-    Averaging averaging = Averaging::pair;
+    Averaging averaging = Averaging::inTurn;
     double recovery = 0.5;  // m/s: how fast what begins a substep too near may part
     // Those are neighbours for a substep that are within this many times the sum of their radii as
     // it begins, since nobody looks again before it ends [GR1]; and of them the nearest so many, 0:

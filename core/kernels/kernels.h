@@ -2,6 +2,8 @@
 // (kernels.cpp) and chosen at run time. Only plain pointers cross it.
 #pragma once
 
+#include <cstdint>
+
 namespace plait {
 
 // Constraints are stored in blocks of this many, so that every lane width divides them.
@@ -16,7 +18,9 @@ struct Sweep {
     Real keep;        // 1: multipliers accumulate within the substep; 0: each evaluation anew
     Real strength;    // part of the correction that is applied, 0 to 1
     const Real* before = nullptr;  // 4 a vertex: d when the substep began
-    const Real* kept = nullptr;    // numbers of the set's drawer
+    // Of the set's drawer.
+    const Real* kept = nullptr;
+    const std::int32_t* keptIntegers = nullptr;
 };
 
 // The constraints of one colour, in blocks: member m of constraint n of a block is at m * 16 + n.

@@ -65,7 +65,8 @@ Skin::Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, 
       material_(look.material),
       color_(toGlm(look.color)),
       printed_(look.print == "plait"),
-      radius_(static_cast<float>(look.radius)) {
+      radius_(static_cast<float>(look.radius)),
+      spot_(look.spot) {
     if (range_.first < 0 || range_.last > complex.count(0) || range_.size() < 1)
         throw std::invalid_argument("look: its object is not a range of the world's vertices");
     for (const std::size_t n : {look.uv.size(), look.colors.size(), look.satin.size()})
@@ -87,7 +88,9 @@ Skin::Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, 
     if (look.section.along > 0) addWire(rest, look, pixel);
     for (int i = 0; i < range_.size() && look.radius > 0 && facets_.empty(); ++i)
         if (!covered[i] && material_ != Material::water) balls_.push_back(i);
-    if (!balls_.empty()) ball_ = sphere({.subdivisions = 2, .radius = look.radius});
+    // A hundred thousand need not be as round.
+    constexpr std::size_t many = 10'000;
+    if (!balls_.empty()) ball_ = sphere({.subdivisions = balls_.size() < many ? 2 : 1});
     update(rest);
 }
 
@@ -225,7 +228,8 @@ void Skin::layCloth(std::span<const Vec<double>> rest,
 }
 
 void Skin::update(std::span<const Vec<double>> positions, std::span<const glm::vec3> tints,
-                  const Lens& lens, std::span<const double> ages) {
+                  const Lens& lens, std::span<const std::int32_t> ids,
+                  std::span<const double> ages) {
     if (range_.size() == 0) return;  // a prop
     if (static_cast<int>(positions.size()) < range_.last ||
         (!tints.empty() && static_cast<int>(tints.size()) < range_.last))
@@ -241,7 +245,7 @@ void Skin::update(std::span<const Vec<double>> positions, std::span<const glm::v
     if (!facets_.empty()) return facets_.update(coarse_, vertices_);
     if (surfaceVertices_ > 0) updateSurface(!tints.empty());
     updateCurves();
-    updateBalls(ages);
+    updateBalls(!tints.empty(), ids, ages);
     if (wire_) updateWire(*wire_, positions, lens);
 }
 
@@ -306,15 +310,25 @@ void Skin::updateCurves() {
     }
 }
 
-void Skin::updateBalls(std::span<const double> ages) {
+// What is not there has no size: triangles are those of all.
+void Skin::updateBalls(bool tinted, std::span<const std::int32_t> ids,
+                       std::span<const double> ages) {
     for (const int v : balls_) {
-        if (!ages.empty() && ages[range_.first + v] < 0) continue;
+        const auto at = static_cast<std::size_t>(range_.first + v);
+        const double age = ages.empty() ? 0 : ages[at];
+        float radius = age < 0 ? 0 : radius_;
+        glm::vec3 tint = coarseTints_[v];
+        if (spot_ && age >= 0) {
+            const Spot spot = spot_(ids.empty() ? 0 : ids[at], age);
+            radius = static_cast<float>(spot.radius);
+            if (!tinted) tint = toGlm(spot.color);
+        }
         const int first = static_cast<int>(vertices_.size());
         for (const auto& p : ball_.positions)
-            vertices_.push_back({.position = coarse_[v] + toGlm(p),
+            vertices_.push_back({.position = coarse_[v] + radius * toGlm(p),
                                  .normal = unit(toGlm(p), up),
                                  .tangent = {0, 1, 0},
-                                 .tint = coarseTints_[v]});
+                                 .tint = tint});
         for (int i = 0; i < ball_.complex.count(2); ++i) {
             const auto [a, b, c] = ball_.complex.triangle(i);
             triangles_.push_back({first + a, first + b, first + c});

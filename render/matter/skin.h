@@ -30,10 +30,11 @@ public:
     explicit Skin(const Prop& prop);
 
     // Positions of the whole world (m); tints of an overlay by vertex of the world, or none.
-    // Wires are as wide as `lens` wants them. Balls are where `ages` (by vertex of the world, s)
-    // are not below 0, or everywhere.
+    // Wires are as wide as `lens` wants them. Of what comes and goes `ids` and `ages` (s), by
+    // vertex of the world; balls whose age is below 0 are not there.
     void update(std::span<const Vec<double>> positions, std::span<const glm::vec3> tints = {},
-                const Lens& lens = {}, std::span<const double> ages = {});
+                const Lens& lens = {}, std::span<const std::int32_t> ids = {},
+                std::span<const double> ages = {});
     // Of a thing that keeps its shape: where its own axes are now.
     void place(const Frame& frame);
 
@@ -45,7 +46,8 @@ public:
     bool isWire() const { return wire_.has_value(); }
     bool faint() const { return wire_ && wire_->faint(); }            // to be blended
     std::size_t group() const { return wire_ ? wire_->group() : 1; }  // WireSkin
-    bool colored() const { return !colors_.empty(); }                 // by vertex, unless tinted
+    // By vertex, unless tinted.
+    bool colored() const { return !colors_.empty() || spot_; }
     const glm::vec2& size() const { return size_; }  // m, of the cloth along u and v
     // m, of an edge of a surface whose triangles are as small as is seen: there light changes
     // little from vertex to vertex. Otherwise 0.
@@ -62,7 +64,7 @@ private:
     void updateStretch();
     void addWire(std::span<const Vec<double>> rest, const Look& look, float pixel);
     void updateCurves();
-    void updateBalls(std::span<const double> ages);
+    void updateBalls(bool tinted, std::span<const std::int32_t> ids, std::span<const double> ages);
     void updateWire(WireSkin& wire, std::span<const Vec<double>> positions, const Lens& lens);
 
     Range range_;
@@ -85,7 +87,8 @@ private:
     std::optional<WireSkin> wire_;
     Range directors_;
     std::vector<int> balls_;
-    Shape ball_;
+    Shape ball_;  // of radius 1 m
+    std::function<Spot(std::int32_t, double)> spot_;
 
     std::vector<glm::vec3> coarse_, fine_;
     std::vector<glm::vec3> coarseTints_, fineTints_;

@@ -196,4 +196,8 @@ void main() {
 }
 )glsl";
 
+inline constexpr const char* sparkShader = R"glsl(
+void main() { result = shown(surfaceColor()); }
+)glsl";
+
 }  // namespace plait

@@ -1,0 +1,10 @@
+// Points that come and go: what is poured, thrown and let go of.
+#pragma once
+
+#include "../scene.h"
+
+namespace plait {
+
+Scene grainPile(const Knobs&);
+
+}  // namespace plait
