@@ -185,7 +185,7 @@ void Renderer::update(const Moment& moment, const Overlay* overlay, const Shot& 
     if (overlay)
         for (const float value : overlay->values) tints.push_back(overlayColor(*overlay, value));
     for (std::size_t i = 0; i < view_.looks.size(); ++i) {
-        skins_[i].update(moment.positions, tints, lens, moment.ids, moment.ages);
+        skins_[i].update(moment, tints, lens);
         uploadVertices(meshes_[i].vertices, skins_[i].vertices());
     }
     for (std::size_t i = 0; i < view_.props.size(); ++i) {

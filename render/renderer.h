@@ -6,6 +6,7 @@
 #include "overlay.h"
 #include "render/gl/context.h"
 #include "render/gl/gpu.h"
+#include "render/matter/moment.h"
 #include "render/matter/skin.h"
 #include "render/matter/veils.h"
 #include "render/pictures/picture.h"
@@ -27,15 +28,6 @@ struct RenderOptions {
     int width = 1280, height = 720;
     int samples = 4;  // a pixel; software Mesa knows 1 and 4
     GlChoice gl = GlChoice::automatic;
-};
-
-// Where all vertices of the world are (m) at a time (s).
-struct Moment {
-    std::span<const Vec<double>> positions;
-    double time = 0;
-    // By vertex: which of its source it is, and its age, s; below 0: not there. Empty: all are.
-    std::span<const std::int32_t> ids = {};
-    std::span<const double> ages = {};
 };
 
 // Owns its context. Any thread may draw, one at a time. The same positions, time and overlay give

@@ -81,6 +81,7 @@ struct GlassPane {
 struct Spot {
     double radius = 0.004;                 // m; 0: it is not seen
     std::array<double, 3> color{1, 1, 1};  // linear; of a spark beyond 1
+    double tail = 0;                       // s: of its way that it is drawn out by
 };
 
 // How one object of the world is drawn: its triangles, or its curves as tubes of `radius`, or, with

@@ -65,8 +65,8 @@ struct Exposure {
                 else
                     x[v] -= (1 - s) * (frame.time - before.time) * frame.velocities[v];
             positions.push_back(std::move(x));
-            all.push_back(
-                {positions.back(), (1 - s) * before.time + s * frame.time, frame.ids, frame.ages});
+            all.push_back({positions.back(), (1 - s) * before.time + s * frame.time, frame.ids,
+                           frame.ages, frame.velocities});
         }
     }
 
@@ -262,8 +262,10 @@ Picture Pictures::Work::drawn(Renderer& lens, int number, const RunFrame& frame,
     const Overlay overlay = overlays.of(frame);
     const Overlay* const colors = overlays.none() ? nullptr : &overlay;
     const CameraPose* const chosen = pose ? &*pose : nullptr;
-    return before ? lens.draw(Exposure(*before, frame, options.subframes).all, colors, chosen)
-                  : lens.draw({frame.positions, frame.time, frame.ids, frame.ages}, colors, chosen);
+    return before
+               ? lens.draw(Exposure(*before, frame, options.subframes).all, colors, chosen)
+               : lens.draw({frame.positions, frame.time, frame.ids, frame.ages, frame.velocities},
+                           colors, chosen);
 }
 
 Picture Pictures::Work::finished(const Drawn& drawn) const {

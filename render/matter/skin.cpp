@@ -91,7 +91,7 @@ Skin::Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, 
     // A hundred thousand need not be as round.
     constexpr std::size_t many = 10'000;
     if (!balls_.empty()) ball_ = sphere({.subdivisions = balls_.size() < many ? 2 : 1});
-    update(rest);
+    update({rest});
 }
 
 void Skin::addWire(std::span<const Vec<double>> rest, const Look& look, float pixel) {
@@ -227,9 +227,8 @@ void Skin::layCloth(std::span<const Vec<double>> rest,
     if (subdivision_.size() > 0) subdivision_.apply<glm::vec2>(uv, uv_);
 }
 
-void Skin::update(std::span<const Vec<double>> positions, std::span<const glm::vec3> tints,
-                  const Lens& lens, std::span<const std::int32_t> ids,
-                  std::span<const double> ages) {
+void Skin::update(const Moment& moment, std::span<const glm::vec3> tints, const Lens& lens) {
+    const std::span<const Vec<double>> positions = moment.positions;
     if (range_.size() == 0) return;  // a prop
     if (static_cast<int>(positions.size()) < range_.last ||
         (!tints.empty() && static_cast<int>(tints.size()) < range_.last))
@@ -245,7 +244,7 @@ void Skin::update(std::span<const Vec<double>> positions, std::span<const glm::v
     if (!facets_.empty()) return facets_.update(coarse_, vertices_);
     if (surfaceVertices_ > 0) updateSurface(!tints.empty());
     updateCurves();
-    updateBalls(!tints.empty(), ids, ages);
+    updateBalls(!tints.empty(), moment);
     if (wire_) updateWire(*wire_, positions, lens);
 }
 
@@ -310,25 +309,28 @@ void Skin::updateCurves() {
     }
 }
 
-// What is not there has no size: triangles are those of all.
-void Skin::updateBalls(bool tinted, std::span<const std::int32_t> ids,
-                       std::span<const double> ages) {
+// What is not there has no size: triangles are those of all. A tail is drawn out of the back.
+void Skin::updateBalls(bool tinted, const Moment& moment) {
     for (const int v : balls_) {
         const auto at = static_cast<std::size_t>(range_.first + v);
-        const double age = ages.empty() ? 0 : ages[at];
-        float radius = age < 0 ? 0 : radius_;
-        glm::vec3 tint = coarseTints_[v];
-        if (spot_ && age >= 0) {
-            const Spot spot = spot_(ids.empty() ? 0 : ids[at], age);
-            radius = static_cast<float>(spot.radius);
-            if (!tinted) tint = toGlm(spot.color);
-        }
+        const double age = moment.ages.empty() ? 0 : moment.ages[at];
+        Spot spot{age < 0 ? 0 : radius_};
+        if (spot_ && age >= 0) spot = spot_(moment.ids.empty() ? 0 : moment.ids[at], age);
+        const auto radius = static_cast<float>(spot.radius);
+        const glm::vec3 back = moment.velocities.empty()
+                                   ? glm::vec3(0)
+                                   : -static_cast<float>(spot.tail) * toGlm(moment.velocities[at]);
+        const glm::vec3 behind = unit(back, up);
+        const glm::vec3 tint = spot_ && !tinted ? toGlm(spot.color) : coarseTints_[v];
         const int first = static_cast<int>(vertices_.size());
-        for (const auto& p : ball_.positions)
-            vertices_.push_back({.position = coarse_[v] + radius * toGlm(p),
-                                 .normal = unit(toGlm(p), up),
+        for (const auto& p : ball_.positions) {
+            const glm::vec3 normal = toGlm(p);
+            vertices_.push_back({.position = coarse_[v] + radius * normal +
+                                             std::max(0.0f, glm::dot(normal, behind)) * back,
+                                 .normal = normal,
                                  .tangent = {0, 1, 0},
                                  .tint = tint});
+        }
         for (int i = 0; i < ball_.complex.count(2); ++i) {
             const auto [a, b, c] = ball_.complex.triangle(i);
             triangles_.push_back({first + a, first + b, first + c});

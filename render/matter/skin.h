@@ -4,6 +4,7 @@
 #include "area_stretch.h"
 #include "facets.h"
 #include "mesh_vertex.h"
+#include "moment.h"
 #include "polyline.h"
 #include "scenes/view.h"
 #include "subdivision.h"
@@ -29,12 +30,9 @@ public:
     // std::invalid_argument for a wrong number of `hollow`.
     explicit Skin(const Prop& prop);
 
-    // Positions of the whole world (m); tints of an overlay by vertex of the world, or none.
-    // Wires are as wide as `lens` wants them. Of what comes and goes `ids` and `ages` (s), by
-    // vertex of the world; balls whose age is below 0 are not there.
-    void update(std::span<const Vec<double>> positions, std::span<const glm::vec3> tints = {},
-                const Lens& lens = {}, std::span<const std::int32_t> ids = {},
-                std::span<const double> ages = {});
+    // Tints of an overlay by vertex of the world, or none. Wires are as wide as `lens` wants them;
+    // balls whose age is below 0 are not there.
+    void update(const Moment& moment, std::span<const glm::vec3> tints = {}, const Lens& lens = {});
     // Of a thing that keeps its shape: where its own axes are now.
     void place(const Frame& frame);
 
@@ -64,7 +62,7 @@ private:
     void updateStretch();
     void addWire(std::span<const Vec<double>> rest, const Look& look, float pixel);
     void updateCurves();
-    void updateBalls(bool tinted, std::span<const std::int32_t> ids, std::span<const double> ages);
+    void updateBalls(bool tinted, const Moment& moment);
     void updateWire(WireSkin& wire, std::span<const Vec<double>> positions, const Lens& lens);
 
     Range range_;

@@ -2,10 +2,8 @@
 #include "../parts/measures.h"
 #include "../parts/views.h"
 #include "particles.h"
+#include "sand.h"
 
-#include <plait/contacts/solids/collider.h>
-#include <plait/forces/gravity.h>
-#include <plait/grains/grains.h>
 #include <plait/numbers/elementary.h>
 #include <plait/sources/source.h>
 
@@ -16,8 +14,8 @@
 namespace plait {
 namespace {
 
-constexpr double density = 2600, mouth = 0.22;  // kg/m^3, m
-constexpr double pours = 5;                     // s
+constexpr double mouth = 0.22;  // m
+constexpr double pours = 5;     // s
 
 struct Cone {
     double height, slope;  // m, degrees
@@ -55,8 +53,6 @@ Scene grainPile(const Knobs& knobs) {
     Scene scene;
     World& world = scene.world;
     const double radius = knobs.byQuality(5e-3, 3.4e-3, 2.4e-3);
-    const double friction = knobs.number("friction");
-    Grains grains{.radius = radius, .staticFriction = friction, .dynamicFriction = 0.8 * friction};
     // Four abreast, each a little higher than the last, so that none comes in a ring.
     std::vector<Vec<double>> nozzle;
     for (int i = 0; i < 4; ++i)
@@ -64,15 +60,15 @@ Scene grainPile(const Knobs& knobs) {
                           2.2 * radius * sine(pi / 2 * i)});
     const double speed = 1.2, every = 2.5 * radius / speed;
     const int volleys = static_cast<int>(pours / every);
-    grains.vertices =
-        world.add({SimplicialComplex(0), {}},
-                  {.density = density * 4 / 3 * pi * std::pow(radius, 3), .spare = 4 * volleys});
-    for (int i = 0; i < grains.vertices.size(); ++i)
-        grains.radii.push_back(radius * (0.8 + 0.4 * numberOf(i, knobs.seed, 5)));
+    const Range spare =
+        world.add({SimplicialComplex(0), {}}, {.density = sandMass(radius), .spare = 4 * volleys});
+    Grains sand = sandOf(spare, radius, knobs.number("friction"));
+    for (int i = 0; i < sand.vertices.size(); ++i)
+        sand.radii.push_back(radius * (0.8 + 0.4 * numberOf(i, knobs.seed, 5)));
     for (Vec<double>& x : world.start) x = {0, mouth + 0.05, 0};
     world.rest = world.start;
     world.act<Source>(SourceOptions{.name = "funnel",
-                                    .spare = grains.vertices,
+                                    .spare = sand.vertices,
                                     .nozzle = nozzle,
                                     .velocity = {0, -speed, 0},
                                     .every = every,
@@ -80,46 +76,20 @@ Scene grainPile(const Knobs& knobs) {
                                     .scatter = 0.5 * radius,
                                     .scatterVelocity = 0.1,
                                     .seed = knobs.seed});
-    world.act<Gravity>(GravityOptions{});
-    pushGrains(world, grains, {.name = "grains", .importance = 24});
-    Collider table{.solid = Solid::plane(), .frame = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
-    table.staticFriction = table.dynamicFriction = 1;
-    collide(world, {table},
-            {{.vertices = grains.vertices,
-              .radii = grains.radii,
-              .staticFriction = 1,
-              .dynamicFriction = 1}},
-            {.name = "table", .order = 1});
-    scene.options.schedule = {.substeps = 30, .iterations = 4, .collisionPasses = 1};
+    addSand(scene, sand);
     scene.seconds = 7;
 
-    const auto count = [grains](const Snapshot& at) {
-        double n = 0;
-        for (int v = grains.vertices.first; v < grains.vertices.last; ++v) n += at.isHere(v);
-        return n;
-    };
-    const auto below = [grains, radius](const Snapshot& at) {
-        double n = 0;
-        for (int v = grains.vertices.first; v < grains.vertices.last; ++v)
-            n += at.isHere(v) && !(at.positions[v].y > 0.5 * radius);
-        return n;
-    };
-    const auto fastest = [grains](const Snapshot& at) {
+    const auto fastest = [sand](const Snapshot& at) {
         double most = 0;
-        for (int v = grains.vertices.first; v < grains.vertices.last; ++v)
+        for (int v = sand.vertices.first; v < sand.vertices.last; ++v)
             most = std::max(most, length(at.velocities[v]));
         return 1000 * most;
     };
-    const auto cone = [grains, radius](const Snapshot& at) {
-        return coneOf(at, grains.vertices, radius);
+    const auto cone = [sand, radius](const Snapshot& at) {
+        return coneOf(at, sand.vertices, radius);
     };
     scene.metrics = {
-        {.name = "grains",
-         .unit = "",
-         .measure = count,
-         .low = 0,
-         .high = 4.0 * volleys,
-         .caption = true},
+        countThere("grains", 0, 4.0 * volleys),
         {.name = "height",
          .unit = "mm",
          .measure = [cone](const Snapshot& at) { return 1000 * cone(at).height; },
@@ -128,18 +98,18 @@ Scene grainPile(const Knobs& knobs) {
         {.name = "slope",
          .unit = "degrees",
          .measure = [cone](const Snapshot& at) { return cone(at).slope; },
-         .low = 20,
-         .high = 40,
+         .low = 25,
+         .high = 46,
          .from = 6.5,
          .caption = true},
         {.name = "fastest", .unit = "mm/s", .measure = fastest, .low = 0, .high = 3000},
-        {.name = "in the table", .unit = "", .measure = below, .low = 0, .high = 0},
+        inTheTable(sand),
         contactFailures()};
     char fact[120];
-    std::snprintf(fact, sizeof fact, "%d grains of %.1f mm", grains.vertices.size(), 2e3 * radius);
+    std::snprintf(fact, sizeof fact, "%d grains of %.1f mm", sand.vertices.size(), 2e3 * radius);
     scene.facts = {fact};
-    scene.view = viewOf({grains.vertices}, {0, 0.07, 0}, 0.3, Material::matte, {0.4, 0.45, 2.2});
-    scene.view.looks[0].spot = [radii = grains.radii, seed = knobs.seed](std::int32_t id, double) {
+    scene.view = viewOf({sand.vertices}, {0, 0.07, 0}, 0.3, Material::matte, {0.4, 0.45, 2.2});
+    scene.view.looks[0].spot = [radii = sand.radii, seed = knobs.seed](std::int32_t id, double) {
         const double pale = numberOf(id, seed, 6);
         return Spot{radii[static_cast<std::size_t>(id)],
                     {0.5 + 0.3 * pale, 0.27 + 0.25 * pale, 0.08 + 0.14 * pale}};

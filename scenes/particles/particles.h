@@ -5,6 +5,8 @@
 
 namespace plait {
 
+Scene dissolve(const Knobs&);
+Scene fireworks(const Knobs&);
 Scene grainPile(const Knobs&);
 
 }  // namespace plait
