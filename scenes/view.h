@@ -78,7 +78,7 @@ struct GlassPane {
 };
 
 // How a point is drawn that comes and goes.
-struct Spot {
+struct PointLook {
     double radius = 0.004;                 // m; 0: it is not seen
     std::array<double, 3> color{1, 1, 1};  // linear; of a spark beyond 1
     double tail = 0;                       // s: of its way that it is drawn out by
@@ -100,7 +100,7 @@ struct Look {
     std::vector<std::array<double, 3>> colors = {};  // linear
     std::vector<double> satin = {};                  // 0 .. 1, how much of it skin wears
     // Of a point, in place of radius and colour: by the id that its source gave it and its age, s.
-    std::function<Spot(std::int32_t id, double age)> spot = {};
+    std::function<PointLook(std::int32_t id, double age)> point = {};
     Section section = {};
     Range directors = {};  // of a wire, one an edge, beside its middle; none: a frame without twist
     // Of latex. Of water: `clear` is the depth (m) at which its colour has swallowed what it can,

@@ -18,9 +18,6 @@ constexpr int mostColors = 64;
 
 // Pairs that a grain remembers, of those it comes first in: no more of its size find room on it.
 constexpr int partners = 12;
-// Of the sum of their radii by which two that rest may overlap, so that they keep touching.
-constexpr double slop = 0.005;
-
 // Part of what a pair has slipped that it takes back in a substep. It remembers no more than what
 // two that rest overlap: farther it has slid. (A pair that slid once in a substep must not forget
 // all: pushes that have not converged let each slide now and then.)
@@ -172,7 +169,7 @@ typename GrainSet<Real>::Memory GrainSet<Real>::memoryOf(const Sweep<Real>& swee
     now.slip = (1 - static_cast<Real>(returned)) * old->slip +
                slipOf(sweep, first + i, first + neighbors_[k]) + touch.back;
     const Real far = length(now.slip),
-               most = static_cast<Real>(slop) * (radii_[i] + radii_[neighbors_[k]]);
+               most = static_cast<Real>(grains_.slop) * (radii_[i] + radii_[neighbors_[k]]);
     if (far > most) now.slip = (most / far) * now.slip;
     return now;
 }
@@ -316,7 +313,7 @@ typename GrainSet<Real>::Near GrainSet<Real>::near(const Sweep<Real>& sweep, int
     const Vec<Real> apart = at(sweep, first + i, origin_) - at(sweep, first + j, origin_);
     const Real reach = radii_[i] + radii_[j], gap = length(apart) - reach;
     const Real began = length(apart - slipOf(sweep, first + i, first + j)) - reach;
-    const Real rest = -static_cast<Real>(slop) * reach;
+    const Real rest = -static_cast<Real>(grains_.slop) * reach;
     const Real wanted = began < rest ? std::min(rest, began + parts_) : std::min(Real(0), began);
     return {divide(Real(1), length(apart)) * apart, gap, wanted};
 }

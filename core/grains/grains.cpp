@@ -25,7 +25,7 @@ void pushGrains(World& world, const Grains& grains, SetOptions options) {
            "a radius must be above 0");
     for (const double number :
          {grains.staticFriction, grains.dynamicFriction, grains.weight, grains.repulsion,
-          grains.attraction, grains.cling, grains.recovery, grains.shock})
+          grains.attraction, grains.cling, grains.slop, grains.recovery, grains.shock})
         refuse(!(number >= 0) || !std::isfinite(number), "no number may be below 0");
     refuse(!(grains.searchScale >= 1) || !std::isfinite(grains.searchScale),
            "it must look as far as grains reach");

@@ -26,6 +26,8 @@ struct Grains {
     double weight = 1, repulsion = 1, attraction = 0;
     double cling = 0;
     Averaging averaging = Averaging::inTurn;
+    // Of the sum of their radii by which two that rest may overlap, so that they keep touching.
+    double slop = 0.005;
     double recovery = 0.5;  // m/s: how fast what begins a substep too near may part
     // Those are neighbours for a substep that are within this many times the sum of their radii as
     // it begins, since nobody looks again before it ends [GR1]; and of them the nearest so many, 0:

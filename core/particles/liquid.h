@@ -20,7 +20,9 @@
 namespace plait {
 
 struct Liquid {
-    Range particles{};   // vertices, all of one mass
+    // Vertices. Those of another mass are another phase, that fills as much space: a lighter one is
+    // compressed by the ratio of masses times the rule (restCompression).
+    Range particles{};
     double spacing = 0;  // m; a particle stands for a cube of this side
     // What the liquid does not see through; that it collides with them as well is for the world to
     // say, collide(world, walls, {surfaceOf(liquid)}, ...). Solids no thinner than two spacings:

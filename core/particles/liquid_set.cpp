@@ -3,6 +3,7 @@
 #include "../numbers/convert.h"
 #include "spline.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace plait {
@@ -37,7 +38,10 @@ LiquidSet<Real>::LiquidSet(const World& world, const Liquid& liquid, const std::
       kernels_(liquidKernels<Real>(kernels)) {
     // Where particles fall into one there is next to no gradient: then a correction has no more
     // than twenty times the multiplier of ordinary water.
-    const double inverse = 1 / world.mass[liquid.particles.first];
+    double heaviest = 0;
+    for (int v = liquid.particles.first; v < liquid.particles.last; ++v)
+        heaviest = std::max(heaviest, world.mass[v]);
+    const double inverse = 1 / heaviest;
     least_ = static_cast<Real>(0.05 * latticeAnswer(inverse, liquid.spacing));
     const auto n = static_cast<std::size_t>(particles_.size());
     inverse_.resize(n + slotPadding);

@@ -66,7 +66,7 @@ Skin::Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, 
       color_(toGlm(look.color)),
       printed_(look.print == "plait"),
       radius_(static_cast<float>(look.radius)),
-      spot_(look.spot) {
+      pointLook_(look.point) {
     if (range_.first < 0 || range_.last > complex.count(0) || range_.size() < 1)
         throw std::invalid_argument("look: its object is not a range of the world's vertices");
     for (const std::size_t n : {look.uv.size(), look.colors.size(), look.satin.size()})
@@ -314,14 +314,14 @@ void Skin::updateBalls(bool tinted, const Moment& moment) {
     for (const int v : balls_) {
         const auto at = static_cast<std::size_t>(range_.first + v);
         const double age = moment.ages.empty() ? 0 : moment.ages[at];
-        Spot spot{age < 0 ? 0 : radius_};
-        if (spot_ && age >= 0) spot = spot_(moment.ids.empty() ? 0 : moment.ids[at], age);
-        const auto radius = static_cast<float>(spot.radius);
+        PointLook look{age < 0 ? 0 : radius_};
+        if (pointLook_ && age >= 0) look = pointLook_(moment.ids.empty() ? 0 : moment.ids[at], age);
+        const auto radius = static_cast<float>(look.radius);
         const glm::vec3 back = moment.velocities.empty()
                                    ? glm::vec3(0)
-                                   : -static_cast<float>(spot.tail) * toGlm(moment.velocities[at]);
+                                   : -static_cast<float>(look.tail) * toGlm(moment.velocities[at]);
         const glm::vec3 behind = unit(back, up);
-        const glm::vec3 tint = spot_ && !tinted ? toGlm(spot.color) : coarseTints_[v];
+        const glm::vec3 tint = pointLook_ && !tinted ? toGlm(look.color) : coarseTints_[v];
         const int first = static_cast<int>(vertices_.size());
         for (const auto& p : ball_.positions) {
             const glm::vec3 normal = toGlm(p);

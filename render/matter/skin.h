@@ -45,7 +45,7 @@ public:
     bool faint() const { return wire_ && wire_->faint(); }            // to be blended
     std::size_t group() const { return wire_ ? wire_->group() : 1; }  // WireSkin
     // By vertex, unless tinted.
-    bool colored() const { return !colors_.empty() || spot_; }
+    bool colored() const { return !colors_.empty() || pointLook_; }
     const glm::vec2& size() const { return size_; }  // m, of the cloth along u and v
     // m, of an edge of a surface whose triangles are as small as is seen: there light changes
     // little from vertex to vertex. Otherwise 0.
@@ -86,7 +86,7 @@ private:
     Range directors_;
     std::vector<int> balls_;
     Shape ball_;  // of radius 1 m
-    std::function<Spot(std::int32_t, double)> spot_;
+    std::function<PointLook(std::int32_t, double)> pointLook_;
 
     std::vector<glm::vec3> coarse_, fine_;
     std::vector<glm::vec3> coarseTints_, fineTints_;

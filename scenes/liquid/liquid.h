@@ -6,6 +6,7 @@
 namespace plait {
 
 Scene damBreak(const Knobs&);
+Scene droplets(const Knobs&);
 Scene pouring(const Knobs&);
 Scene caramel(const Knobs&);
 

@@ -77,14 +77,14 @@ Scene dissolve(const Knobs& knobs) {
                                    .seed = knobs.seed + static_cast<std::uint64_t>(spare.first)};
         world.act<Source>(source);
         Look look{.object = spare, .material = Material::matte, .radius = radius};
-        look.spot = [=, seed = knobs.seed + static_cast<std::uint64_t>(spare.first)](
-                        std::int32_t id, double age) {
+        look.point = [=, seed = knobs.seed + static_cast<std::uint64_t>(spare.first)](
+                         std::int32_t id, double age) {
             const double pale = numberOf(id, seed, 7),
                          sand = std::clamp((age - source.hold) / 0.5, 0.0, 1.0);
             const auto mixed = [=](double stone, double gold) {
                 return ((1 - sand) * stone + sand * gold) * (0.85 + 0.3 * pale);
             };
-            return Spot{radius, {mixed(0.72, 0.66), mixed(0.68, 0.42), mixed(0.62, 0.17)}};
+            return PointLook{radius, {mixed(0.72, 0.66), mixed(0.68, 0.42), mixed(0.62, 0.17)}};
         };
         scene.view.looks.push_back(std::move(look));
     }

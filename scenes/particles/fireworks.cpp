@@ -47,14 +47,14 @@ Frame tailAt(const Shell& shell, double t) {
 }
 
 // White-hot, then in its own colour, then an ember; some flicker as they go out.
-Spot starAt(const Color& color, double age, double life, double number, double size) {
+PointLook starAt(const Color& color, double age, double life, double number, double size) {
     const double part = std::clamp(age / life, 0.0, 1.0), hot = std::max(0.0, 1 - 6 * part);
     const double flicker = part > 0.6 && std::fmod(17 * number + 24 * age, 1.0) > 0.6 ? 0.15 : 1;
     const double light = flicker * 14 * (1 - part) * (1 - part);
-    Spot spot{size * (0.6 + 0.4 * (1 - part)), {}, 0.05};
+    PointLook look{size * (0.6 + 0.4 * (1 - part)), {}, 0.05};
     for (int c = 0; c < 3; ++c)
-        spot.color[c] = light * (hot + (1 - hot) * color[c]) + 0.15 * (1 - part) * (c == 0);
-    return spot;
+        look.color[c] = light * (hot + (1 - hot) * color[c]) + 0.15 * (1 - part) * (c == 0);
+    return look;
 }
 
 // Adds a source, and how what it brings is seen.
@@ -63,7 +63,7 @@ void addSparks(Scene& scene, SourceOptions source, int spare, const Color& color
     source.spare = world.add({SimplicialComplex(0), {}}, {.density = 1e-3, .spare = spare});
     world.act<Source>(source);
     Look look{.object = source.spare, .material = Material::spark, .radius = size};
-    look.spot = [=](std::int32_t id, double age) {
+    look.point = [=](std::int32_t id, double age) {
         return starAt(color, age, lifespanOf(source, id), numberOf(id, source.seed, 9), size);
     };
     scene.view.looks.push_back(std::move(look));

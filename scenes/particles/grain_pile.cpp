@@ -109,10 +109,10 @@ Scene grainPile(const Knobs& knobs) {
     std::snprintf(fact, sizeof fact, "%d grains of %.1f mm", sand.vertices.size(), 2e3 * radius);
     scene.facts = {fact};
     scene.view = viewOf({sand.vertices}, {0, 0.07, 0}, 0.3, Material::matte, {0.4, 0.45, 2.2});
-    scene.view.looks[0].spot = [radii = sand.radii, seed = knobs.seed](std::int32_t id, double) {
+    scene.view.looks[0].point = [radii = sand.radii, seed = knobs.seed](std::int32_t id, double) {
         const double pale = numberOf(id, seed, 6);
-        return Spot{radii[static_cast<std::size_t>(id)],
-                    {0.5 + 0.3 * pale, 0.27 + 0.25 * pale, 0.08 + 0.14 * pale}};
+        return PointLook{radii[static_cast<std::size_t>(id)],
+                         {0.5 + 0.3 * pale, 0.27 + 0.25 * pale, 0.08 + 0.14 * pale}};
     };
     scene.view.groundHeight = 0;
     return scene;
