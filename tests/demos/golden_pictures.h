@@ -35,7 +35,7 @@ inline const std::vector<GoldenScene> goldenScenes{
     {"dam-break", 34},
     {"dissolve", 40, 6},
     {"dress", 112, 1},
-    {"droplets", 40, 3},
+    {"droplets", 14, 3},
     {"elbow", 28, 1},
     {"fireworks", 58},
     {"flag", 40},
