@@ -202,7 +202,6 @@ Scene dress(const Knobs& knobs) {
           .order = 4});
     scene.options.schedule = {
         .substeps = knobs.byQuality(24, 24, 48), .iterations = 24, .collisionPasses = 24};
-    scene.options.sweeps = Sweeps::oneWay;
     scene.options.damping = 0.02;
     scene.lead = lead;
     scene.seconds = wearer.seconds;

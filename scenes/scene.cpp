@@ -403,8 +403,9 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
          .build = droplets},
         {.name = "dissolve",
          .title = "Dissolve",
-         .lesson = "Held grains are a sculpture, released ones are sand: nothing is swapped, and none "
-                   "is lost",
+         .lesson =
+             "Held grains are a sculpture, released ones are sand: nothing is swapped, and none "
+             "is lost",
          .ingredients = {"source", "grains", "friction", "contact", "gravity"},
          .omissions = {"rolling: a grain does not turn", "what holds the pawn: it is told to stay"},
          .essentials = {"grains"},
@@ -416,8 +417,9 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
          .build = dissolve},
         {.name = "fireworks",
          .title = "Fireworks",
-         .lesson = "What comes and goes is numbers: a spark is born with an id, ages and is gone, and "
-                   "its light follows from both",
+         .lesson =
+             "What comes and goes is numbers: a spark is born with an id, ages and is gone, and "
+             "its light follows from both",
          .ingredients = {"source", "expression", "gravity"},
          .omissions = {"smoke, and the wind that takes it",
                        "that sparks light each other: each shines alone"},

@@ -53,7 +53,7 @@ private:
     static constexpr int numbersEach = 7;
     static Memory memoryAt(const Real* numbers);
     // Its place in the drawer, from the owner's side; -1: these two did not touch.
-    int placeOf(const std::int32_t* partners, int owner, int other) const;
+    int placeOf(const std::int32_t* all, int owner, int other) const;
 
     void look(const Sweep<Real>& sweep, Workers& workers);
     void recall(const Sweep<Real>& sweep, Workers& workers);

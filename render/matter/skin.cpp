@@ -312,7 +312,7 @@ void Skin::updateCurves() {
 // What is not there has no size: triangles are those of all. A tail is drawn out of the back.
 void Skin::updateBalls(bool tinted, const Moment& moment) {
     for (const int v : balls_) {
-        const auto at = static_cast<std::size_t>(range_.first + v);
+        const auto at = static_cast<std::size_t>(range_.first) + static_cast<std::size_t>(v);
         const double age = moment.ages.empty() ? 0 : moment.ages[at];
         PointLook look{age < 0 ? 0 : radius_};
         if (pointLook_ && age >= 0) look = pointLook_(moment.ids.empty() ? 0 : moment.ids[at], age);

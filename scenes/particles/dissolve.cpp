@@ -103,6 +103,8 @@ Scene dissolve(const Knobs& knobs) {
         {.name = "centre", .unit = "mm", .measure = centre, .low = 8, .high = 500 * tall},
         inTheTable(sand),
         contactFailures()};
+    for (Metric& metric : scene.metrics)
+        metric.from = 1e-3;  // none is there before the first substep
     char fact[120];
     std::snprintf(fact, sizeof fact, "%d grains of %.1f mm in %zu layers, let go one by one",
                   sand.vertices.size(), 2e3 * radius, layers.size());

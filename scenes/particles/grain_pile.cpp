@@ -47,6 +47,32 @@ Cone coneOf(const Snapshot& at, Range grains, double radius) {
     return {height, 180 / pi * std::atan(fall)};
 }
 
+std::vector<Metric> metricsOf(const Grains& sand) {
+    const auto fastest = [sand](const Snapshot& at) {
+        double most = 0;
+        for (int v = sand.vertices.first; v < sand.vertices.last; ++v)
+            most = std::max(most, length(at.velocities[v]));
+        return 1000 * most;
+    };
+    const auto cone = [sand](const Snapshot& at) { return coneOf(at, sand.vertices, sand.radius); };
+    return {countThere("grains", 0, sand.vertices.size()),
+            {.name = "height",
+             .unit = "mm",
+             .measure = [cone](const Snapshot& at) { return 1000 * cone(at).height; },
+             .low = 0,
+             .high = 1000 * mouth},
+            {.name = "slope",
+             .unit = "degrees",
+             .measure = [cone](const Snapshot& at) { return cone(at).slope; },
+             .low = 25,
+             .high = 46,
+             .from = 6.5,
+             .caption = true},
+            {.name = "fastest", .unit = "mm/s", .measure = fastest, .low = 0, .high = 3000},
+            inTheTable(sand),
+            contactFailures()};
+}
+
 }  // namespace
 
 Scene grainPile(const Knobs& knobs) {
@@ -79,32 +105,7 @@ Scene grainPile(const Knobs& knobs) {
     addSand(scene, sand);
     scene.seconds = 7;
 
-    const auto fastest = [sand](const Snapshot& at) {
-        double most = 0;
-        for (int v = sand.vertices.first; v < sand.vertices.last; ++v)
-            most = std::max(most, length(at.velocities[v]));
-        return 1000 * most;
-    };
-    const auto cone = [sand, radius](const Snapshot& at) {
-        return coneOf(at, sand.vertices, radius);
-    };
-    scene.metrics = {
-        countThere("grains", 0, 4.0 * volleys),
-        {.name = "height",
-         .unit = "mm",
-         .measure = [cone](const Snapshot& at) { return 1000 * cone(at).height; },
-         .low = 0,
-         .high = 1000 * mouth},
-        {.name = "slope",
-         .unit = "degrees",
-         .measure = [cone](const Snapshot& at) { return cone(at).slope; },
-         .low = 25,
-         .high = 46,
-         .from = 6.5,
-         .caption = true},
-        {.name = "fastest", .unit = "mm/s", .measure = fastest, .low = 0, .high = 3000},
-        inTheTable(sand),
-        contactFailures()};
+    scene.metrics = metricsOf(sand);
     char fact[120];
     std::snprintf(fact, sizeof fact, "%d grains of %.1f mm", sand.vertices.size(), 2e3 * radius);
     scene.facts = {fact};

@@ -55,10 +55,8 @@ std::vector<ComparisonEntry> bless(const fs::path& root, const std::string& scen
     std::vector<ComparisonEntry> entries;
     const auto draw = [&](const std::string& file, const RunFrame& frame) {
         if (!allFinite(frame.positions)) throw std::domain_error(scene + ": not finite");
-        entries.push_back({scene + " " + file,
-                           renderer.draw(Moment{frame.positions, frame.time, frame.ids, frame.ages,
-                                                frame.velocities}),
-                           goldenPicture(folder / file)});
+        entries.push_back(
+            {scene + " " + file, renderer.draw(momentOf(frame)), goldenPicture(folder / file)});
     };
     draw("state.png", state);
     draw("frame.png", simulated(run, golden.early));

@@ -81,6 +81,10 @@ Run goldenRun(const std::string& scene);
 // Frame `number` of it; the seconds that it took are 0, so that equal frames have equal bytes.
 RunFrame simulated(const Run& run, int number);
 
+inline Moment momentOf(const RunFrame& frame) {
+    return {frame.positions, frame.time, frame.ids, frame.ages, frame.velocities};
+}
+
 // The picture in a file; one without pixels where there is none.
 Picture goldenPicture(const std::filesystem::path& path);
 

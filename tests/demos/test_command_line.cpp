@@ -1,4 +1,5 @@
 // What the command line says, and how it ends: design.md section 9.
+#include "demos/runs/settings.h"
 #include "program.h"
 #include "scenes/scene.h"
 #include "tests/catch.h"
@@ -168,11 +169,13 @@ TEST_CASE("a frame rate looks more often and changes no substep", "[program][CA1
 
 namespace {
 
-void checkAll(const std::vector<std::string>& options) {
+// No longer than `most` (s) of each.
+void checkAll(const std::string& quality, double most) {
     const TemporaryFolder folder;
     for (const SceneEntry& entry : smallScenes()) {
-        std::vector<std::string> words{"check", entry.name};
-        words.insert(words.end(), options.begin(), options.end());
+        std::vector<std::string> words{"check", entry.name, "-q", quality};
+        if (makeRun({{"scene", entry.name}, {"quality", quality}}).scene.seconds > most)
+            words.insert(words.end(), {"--seconds", std::to_string(most)});
         const Outcome check = plait::test::plait(folder, words);
         INFO(entry.name << "\n" << check.out << check.err);
         CHECK(check.status == 0);
@@ -182,15 +185,15 @@ void checkAll(const std::vector<std::string>& options) {
 }  // namespace
 
 TEST_CASE("every scene keeps to its bands for a second of draft", "[program][figures]") {
-    checkAll({"-q", "draft", "--seconds", "1"});
+    checkAll("draft", 1);
 }
 
 TEST_CASE("every scene keeps to its bands at draft", "[program][long]") {
-    checkAll({"-q", "draft"});
+    checkAll("draft", infinity);
 }
 
 TEST_CASE("every scene keeps to its bands at preview", "[program][long]") {
-    checkAll({"-q", "preview"});
+    checkAll("preview", infinity);
 }
 
 TEST_CASE("check holds a scene and a run to their bands", "[program]") {

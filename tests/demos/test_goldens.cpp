@@ -34,7 +34,7 @@ void judge(const GoldenScene& of, std::vector<ComparisonEntry>& failures) {
         INFO(scene << " " << file);
         REQUIRE(frame.positions.size() == run.scene.world.rest.size());
         REQUIRE(allFinite(frame.positions));
-        const Picture actual = renderer.draw(frame.positions, frame.time);
+        const Picture actual = renderer.draw(momentOf(frame));
         const Picture golden = goldenPicture(goldenFolder(PLAIT_ROOT, scene) / file);
         const Comparison comparison = compare(actual, golden);
         std::printf("    %-24s %s\n", (scene + " " + file).c_str(), describe(comparison).c_str());

@@ -31,11 +31,11 @@ double heightOf(const Pool& pool, const std::vector<Vec<double>>& at, double mas
     return sum / n;
 }
 
-// %, of the lower half, when it has come to rest.
+// %, of the lower half, when sound has gone to and fro and nothing has begun to rise.
 double compressionBelow(double below, double above, int substeps) {
     const Pool pool = layered(12, below, above);
     Solver<float> solver(pool.world, perSecond(substeps));
-    for (int frame = 0; frame < 60; ++frame) solver.frame();
+    for (int frame = 0; frame < 5; ++frame) solver.frame();
     const auto ratios = densityRatios(pool.liquid, solver.positions());
     double most = 0;
     for (std::size_t v = 0; v < ratios.size(); ++v)

@@ -178,6 +178,75 @@ TEST_CASE("surface tension: larger drops swing as Rayleigh's", "[liquid][tension
     }
 }
 
+namespace {
+
+// A thread between two walls that it meets at right angles, as long as five of Rayleigh's waves.
+struct Thread {
+    double radius, length, scale;  // m, m, s: the square root of density radius^3 / tension
+    double wave = 0;               // m, that its wave of most weight is long, before it parts
+    double growth = 0;             // 1/scale, of its unevenness from then to when it parts
+};
+Thread part(double radii, unsigned seed) {
+    const double length = 5 * 9.015 * radii * spacing;
+    const int half = static_cast<int>(length / (2 * spacing)) + 1;
+    std::vector<Vec<double>> at;
+    for (Vec<double> p : shape(
+             half,
+             [=](const Vec<double>& p) {
+                 return std::fabs(p.x) < length / 2 - 0.3 * spacing &&
+                        std::hypot(p.y, p.z) < radii * spacing;
+             },
+             seed))
+        at.push_back(p);
+    Pool pool(std::move(at), spacing,
+              {wallAt({-length / 2, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+               wallAt({length / 2, 0, 0}, {-1, 0, 0}, {0, 1, 0})});
+    const double n = pool.liquid.particles.size();
+    Thread thread{squareRoot(n * std::pow(spacing, 3) / (pi * length)), length, 0};
+    thread.scale = squareRoot(1000 * std::pow(thread.radius, 3) / sigma);
+    holdDensity(pool.world, pool.liquid, {.name = "density"});
+    collide(pool.world, pool.liquid.walls, {surfaceOf(pool.liquid)}, {.name = "ends", .order = 1});
+    actTension(pool.world, pool.liquid, {.tension = sigma, .interval = 2});
+    Solver<float> solver(pool.world, quick());
+    double uneven = 0, began = 0, first = 0;
+    for (int frame = 1; frame < 200; ++frame) {
+        solver.frame();
+        // Waves that both ends mirror, of the section along it.
+        std::vector<double> waves(16, 0.0);
+        for (const Vec<double>& p : solver.positions())
+            for (int k = 1; k < 16; ++k)
+                waves[k] += 2 / n * std::cos(pi * k * (p.x / length + 0.5));
+        double squares = 0, weighed = 0;
+        for (int k = 1; k < 16; ++k) {
+            squares += waves[k] * waves[k];
+            weighed += waves[k] * waves[k] * k;
+        }
+        uneven = squareRoot(squares);
+        if (began == 0 && uneven > 0.15) began = frame, first = uneven;
+        if (uneven < 0.5) continue;
+        thread.wave = 2 * length * squares / weighed;
+        thread.growth = std::log(uneven / first) / ((frame - began) * 0.005 / thread.scale);
+        return thread;
+    }
+    return thread;
+}
+
+}  // namespace
+
+TEST_CASE("surface tension: threads part in waves as long as Rayleigh's, more slowly",
+          "[liquid][tension][FL7][long]") {
+    double spacings = 0, growths = 0;
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        const Thread thread = part(4, seed);
+        note("seed", seed);
+        note("its wave of most weight, radii; Rayleigh's is 9.015", thread.wave / thread.radius);
+        note("its growth; Rayleigh's is 0.343", thread.growth);
+        spacings += thread.wave / (5 * thread.radius), growths += thread.growth / 5;
+    }
+    CHECK(report("mean wave off Rayleigh's by", std::fabs(spacings / 9.015 - 1), 0.4));
+    CHECK(growths > 0.1);
+}
+
 TEST_CASE("surface tension: a cube of water becomes a ball", "[liquid][tension][FL7]") {
     Pool pool{shape(4, [](const Vec<double>&) { return true; }), spacing};
     holdDensity(pool.world, pool.liquid, {.name = "density"});
