@@ -3,8 +3,6 @@
 #include "../numbers/convert.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -13,21 +11,10 @@ namespace {
 
 constexpr int grain = 128;
 
-// The last takes what is left over, and runs singly.
-constexpr int mostColors = 64;
-
-// Pairs that a grain remembers, of those it comes first in: no more of its size find room on it.
-constexpr int partners = 12;
 // Part of what a pair has slipped that it takes back in a substep. It remembers no more than what
 // two that rest overlap: farther it has slid. (A pair that slid once in a substep must not forget
 // all: pushes that have not converged let each slide now and then.)
 constexpr double returned = 0.2;
-
-template <class Real>
-Vec<Real> at(const Sweep<Real>& sweep, int v, const Vec<Real>& origin) {
-    const Real* const p = sweep.particles + 8L * v;
-    return {(p[0] - origin.x) + p[4], (p[1] - origin.y) + p[5], (p[2] - origin.z) + p[6]};
-}
 
 // How far it has come in the substep, m.
 template <class Real>
@@ -113,26 +100,6 @@ void GrainSet<Real>::move(const Sweep<Real>& sweep, Workers& workers) {
     });
 }
 
-template <class Real>
-void GrainSet<Real>::furnish(Drawer<Real>& kept) const {
-    const std::size_t places = std::size_t{partners} * radii_.size();
-    kept.integers.assign(places, -1);
-    kept.numbers.assign(places * numbersEach, Real(0));
-}
-
-template <class Real>
-typename GrainSet<Real>::Memory GrainSet<Real>::memoryAt(const Real* n) {
-    return {n[0], {n[1], n[2], n[3]}, {n[4], n[5], n[6]}};
-}
-
-template <class Real>
-int GrainSet<Real>::placeOf(const std::int32_t* all, int owner, int other) const {
-    const std::int32_t *const first = all + std::ptrdiff_t{partners} * owner, *const last =
-                                                                                  first + partners;
-    const std::int32_t* const found = std::find(first, last, other);
-    return found == last ? -1 : static_cast<int>(found - all);
-}
-
 // A pair that touched begins with what it pushed and rubbed.
 template <class Real>
 void GrainSet<Real>::recall(const Sweep<Real>& sweep, Workers& workers) {
@@ -142,15 +109,15 @@ void GrainSet<Real>::recall(const Sweep<Real>& sweep, Workers& workers) {
             moves_[i] = {};
             for (int k = start_[i]; k < start_[i + 1]; ++k) {
                 const int j = neighbors_[k];
-                const int place = placeOf(sweep.keptIntegers, std::min(i, j), std::max(i, j));
-                if (place < 0) continue;
-                const Memory known = memoryAt(sweep.kept + std::ptrdiff_t{numbersEach} * place);
+                const auto known = PairMemories<Real>::of(sweep.keptIntegers, sweep.kept,
+                                                          std::min(i, j), std::max(i, j));
+                if (!known) continue;
                 const Vec<Real> normal = near(sweep, i, j).normal;
                 const Real sign = i < j ? Real(1) : Real(-1);
                 const auto across = [&](const Vec<Real>& a) { return a - dot(a, normal) * normal; };
-                touch_[k] = {.pushed = part * known.push,
-                             .rubbed = (sign * part) * across(known.rub),
-                             .back = (sign * static_cast<Real>(returned)) * across(known.slip)};
+                touch_[k] = {.pushed = part * known->push,
+                             .rubbed = (sign * part) * across(known->rub),
+                             .back = (sign * static_cast<Real>(returned)) * across(known->slip)};
                 moves_[i] +=
                     partOf(sweep, i, j, normal) * (touch_[k].pushed * normal + touch_[k].rubbed);
             }
@@ -160,10 +127,10 @@ void GrainSet<Real>::recall(const Sweep<Real>& sweep, Workers& workers) {
 }
 
 template <class Real>
-typename GrainSet<Real>::Memory GrainSet<Real>::memoryOf(const Sweep<Real>& sweep, int i, int k,
-                                                         const Memory* old) const {
+PairMemory<Real> GrainSet<Real>::memoryOf(const Sweep<Real>& sweep, int i, int k,
+                                          const std::optional<PairMemory<Real>>& old) const {
     const Touch& touch = touch_[k];
-    Memory now{perSquare_ * touch.pushed, perSquare_ * touch.rubbed, {}};
+    PairMemory<Real> now{perSquare_ * touch.pushed, perSquare_ * touch.rubbed, {}};
     if (!old) return now;
     const int first = grains_.vertices.first;
     now.slip = (1 - static_cast<Real>(returned)) * old->slip +
@@ -174,99 +141,23 @@ typename GrainSet<Real>::Memory GrainSet<Real>::memoryOf(const Sweep<Real>& swee
     return now;
 }
 
-// Of those that touch, each with the one that comes first; of more than there is room for the most
-// pressed.
 template <class Real>
 void GrainSet<Real>::settle(State<Real>& state, Drawer<Real>& kept, double, double) {
     Sweep<Real> sweep{};
     sweep.particles = &state.particles[0].x.x;
     sweep.before = &state.before[0].v.x;
-    std::vector<std::pair<std::int32_t, Memory>> now;
+    std::vector<typename PairMemories<Real>::Partner> now;
     for (int i = 0; i < grains_.vertices.size(); ++i) {
         now.clear();
-        const auto at = std::ptrdiff_t{partners} * i;
         for (int k = start_[i]; k < start_[i + 1]; ++k) {
-            if (neighbors_[k] < i || !(touch_[k].pushed > 0)) continue;
-            const int place = placeOf(kept.integers.data(), i, neighbors_[k]);
-            Memory old;
-            if (place >= 0) old = memoryAt(&kept.numbers[std::size_t{numbersEach} * place]);
-            now.emplace_back(neighbors_[k], memoryOf(sweep, i, k, place < 0 ? nullptr : &old));
+            const int j = neighbors_[k];
+            if (j < i || !(touch_[k].pushed > 0)) continue;
+            const auto old =
+                PairMemories<Real>::of(kept.integers.data(), kept.numbers.data(), i, j);
+            now.emplace_back(j, memoryOf(sweep, i, k, old));
         }
-        std::ranges::sort(now, {},
-                          [](const auto& m) { return std::pair(-m.second.push, m.first); });
-        for (std::ptrdiff_t n = 0; n < partners; ++n) {
-            const bool some = n < std::ssize(now);
-            const auto [other, m] = some ? now[n] : std::pair(std::int32_t{-1}, Memory{});
-            kept.integers[at + n] = other;
-            std::ranges::copy(
-                std::array{m.push, m.rub.x, m.rub.y, m.rub.z, m.slip.x, m.slip.y, m.slip.z},
-                kept.numbers.begin() + (at + n) * numbersEach);
-        }
+        PairMemories<Real>::write(kept, i, now);
     }
-}
-
-template <class Real>
-bool GrainSet<Real>::mayMeet(int i, int j) const {
-    return i != j && (grains_.pieces.empty() || grains_.pieces[i] < 0 ||
-                      grains_.pieces[i] != grains_.pieces[j]);
-}
-
-template <class Real>
-void GrainSet<Real>::look(const Sweep<Real>& sweep, Workers& workers) {
-    const int first = grains_.vertices.first, count = grains_.vertices.size();
-    present_.clear();
-    for (int i = 0; i < count; ++i)
-        if (!spare_[i] || sweep.particles[8L * (first + i) + 3] > 0) present_.push_back(i);
-    const Real scale = static_cast<Real>(grains_.searchScale);
-    const auto place = [&](int n) { return at(sweep, first + present_[n], origin_); };
-    cells_.sort(static_cast<int>(present_.size()),
-                2 * scale * largest_ + static_cast<Real>(grains_.cling), place, workers);
-    for (std::vector<int>& found : found_) found.clear();
-    workers.forBlocks(cells_.count(), grain, [&](int begin, int end) {
-        for (int s = begin; s < end; ++s) {
-            const int i = present_[cells_.order()[s]];
-            cells_.around(cells_.point(s), [&](int other) {
-                const int j = present_[cells_.order()[other]];
-                const Real reach =
-                    scale * (radii_[i] + radii_[j]) + static_cast<Real>(grains_.cling);
-                const Vec<Real> apart = cells_.point(s) - cells_.point(other);
-                if (mayMeet(i, j) && dot(apart, apart) < reach * reach) found_[i].push_back(j);
-            });
-            keepNearest(i, found_[i], sweep);
-        }
-    });
-    neighbors_.clear();
-    for (int i = 0; i < count; ++i) {
-        neighbors_.insert(neighbors_.end(), found_[i].begin(), found_[i].end());
-        start_[i + 1] = static_cast<int>(neighbors_.size());
-    }
-    touch_.assign(neighbors_.size(), {});
-    touching_.assign(radii_.size(), 0);
-    if (grains_.averaging == Averaging::inTurn) color();
-}
-
-// Pairs of a colour have no grain in common: the lowest that neither of both has.
-template <class Real>
-void GrainSet<Real>::color() {
-    taken_.assign(radii_.size(), 0);
-    colorOf_.clear(), colors_.assign(mostColors + 1, 0);
-    const auto each = [&](const auto& visit) {
-        for (int i = 0; i < grains_.vertices.size(); ++i)
-            for (int k = start_[i]; k < start_[i + 1]; ++k)
-                if (i < neighbors_[k]) visit(i, k);
-    };
-    each([&](int i, int k) {
-        const std::uint64_t taken = taken_[i] | taken_[neighbors_[k]];
-        const int color = std::min(std::countr_one(taken), mostColors - 1);
-        taken_[i] |= std::uint64_t{1} << color, taken_[neighbors_[k]] |= std::uint64_t{1} << color;
-        colorOf_.push_back(color);
-        ++colors_[color + 1];
-    });
-    for (int c = 0; c < mostColors; ++c) colors_[c + 1] += colors_[c];
-    pairs_.resize(colorOf_.size());
-    std::vector<int> place(colors_.begin(), colors_.end() - 1);
-    auto color = colorOf_.begin();
-    each([&](int i, int k) { pairs_[place[*color++]++] = {i, k}; });
 }
 
 template <class Real>
@@ -300,17 +191,9 @@ void GrainSet<Real>::pushPair(const Sweep<Real>& sweep, int i, int k) {
 }
 
 template <class Real>
-void GrainSet<Real>::keepNearest(int i, std::vector<int>& found, const Sweep<Real>& sweep) const {
-    const auto most = static_cast<std::size_t>(grains_.mostNeighbours);
-    if (most == 0 || found.size() <= most) return;
-    std::ranges::sort(found, {}, [&](int j) { return std::pair(near(sweep, i, j).gap, j); });
-    found.resize(most);
-}
-
-template <class Real>
 typename GrainSet<Real>::Near GrainSet<Real>::near(const Sweep<Real>& sweep, int i, int j) const {
     const int first = grains_.vertices.first;
-    const Vec<Real> apart = at(sweep, first + i, origin_) - at(sweep, first + j, origin_);
+    const Vec<Real> apart = at(sweep, i) - at(sweep, j);
     const Real reach = radii_[i] + radii_[j], gap = length(apart) - reach;
     const Real began = length(apart - slipOf(sweep, first + i, first + j)) - reach;
     const Real rest = -static_cast<Real>(grains_.slop) * reach;

@@ -4,9 +4,11 @@
 #include "../constraint.h"
 #include "../particles/cells.h"
 #include "grains.h"
+#include "pair_memory.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace plait {
@@ -16,7 +18,9 @@ class GrainSet : public Constraint<Real> {
 public:
     GrainSet(const World& world, const Grains& grains);
 
-    void furnish(Drawer<Real>& kept) const override;
+    void furnish(Drawer<Real>& kept) const override {
+        PairMemories<Real>::furnish(kept, radii_.size());
+    }
     void begin(const Substep& substep, Workers&) override {
         parts_ = static_cast<Real>(grains_.recovery * substep.h);
         perSquare_ = static_cast<Real>(1 / (substep.h * substep.h));
@@ -43,18 +47,13 @@ private:
         Vec<Real> back{};  // what it slipped in former substeps and should slip back in this one
     };
 
-    // What a pair keeps past a substep, by the one that comes first. The pair's push and rub are
-    // accelerations (m/s^2) of one over the other.
-    struct Memory {
-        Real push;
-        Vec<Real> rub;
-        Vec<Real> slip;  // m, since they stuck
-    };
-    static constexpr int numbersEach = 7;
-    static Memory memoryAt(const Real* numbers);
-    // Its place in the drawer, from the owner's side; -1: these two did not touch.
-    int placeOf(const std::int32_t* all, int owner, int other) const;
+    static constexpr int mostColors = 64;  // the last takes what is left over, and runs singly
 
+    // m, from where the first one began.
+    Vec<Real> at(const Sweep<Real>& sweep, int i) const {
+        const Real* const p = sweep.particles + 8L * (grains_.vertices.first + i);
+        return {(p[0] - origin_.x) + p[4], (p[1] - origin_.y) + p[5], (p[2] - origin_.z) + p[6]};
+    }
     void look(const Sweep<Real>& sweep, Workers& workers);
     void recall(const Sweep<Real>& sweep, Workers& workers);
     void color();
@@ -62,7 +61,8 @@ private:
     void sweepPairs(const Sweep<Real>& sweep, Direction direction, Workers& workers);
     void pushPair(const Sweep<Real>& sweep, int i, int k);
     void move(const Sweep<Real>& sweep, Workers& workers);
-    Memory memoryOf(const Sweep<Real>& sweep, int i, int k, const Memory* old) const;
+    PairMemory<Real> memoryOf(const Sweep<Real>& sweep, int i, int k,
+                              const std::optional<PairMemory<Real>>& old) const;
     Real partOf(const Sweep<Real>& sweep, int i, int j, const Vec<Real>& normal) const;
     void keepNearest(int i, std::vector<int>& found, const Sweep<Real>& sweep) const;
     bool mayMeet(int i, int j) const;

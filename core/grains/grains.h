@@ -31,7 +31,7 @@ struct Grains {
     double recovery = 0.5;  // m/s: how fast what begins a substep too near may part
     // Those are neighbours for a substep that are within this many times the sum of their radii as
     // it begins, since nobody looks again before it ends [GR1]; and of them the nearest so many, 0:
-    // all [GR2].
+    // all [GR2]; in turn, those of the one of a pair that comes first.
     double searchScale = 1.5;
     int mostNeighbours = 0;
     // By vertex; those of one piece, 0 or more, do not meet [GR4]. Empty: all do.
