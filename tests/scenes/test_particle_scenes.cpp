@@ -18,7 +18,7 @@ int thereOf(const Solver<float>& solver, Range range) {
 
 }  // namespace
 
-// They live for 2 s, two thirds more or less, evenly; the first shell bursts at 3.42 s.
+// They live for 2 s, two thirds more or less, evenly; the first shell bursts at 3.32 s.
 TEST_CASE("fireworks: sparks come at once and go as their lifespans say",
           "[sources][scenes][FX18][PA2]") {
     const Scene scene = draftOf("fireworks", {});
@@ -27,7 +27,7 @@ TEST_CASE("fireworks: sparks come at once and go as their lifespans say",
     double oldest = 0, worst = 0;
     for (int frame = 1; frame <= 24 * 6.25; ++frame) {
         solver.frame();
-        const double age = frame / 24.0 - 3.4181;
+        const double age = frame / 24.0 - 3.3181;
         const double expected = age < 0 ? 0 : std::clamp((8.0 / 3 - age) / (4.0 / 3), 0.0, 1.0);
         const double part = thereOf(solver, stars) / double(stars.size());
         if (std::fabs(age) > 0.05) worst = std::max(worst, std::fabs(part - expected));
