@@ -27,7 +27,7 @@ struct TensionOptions {
     std::string name = "surface tension";
     double tension = 0.072;  // N/m: water 0.072, oil 0.03, mercury 0.49
     double angle = 90;       // degrees, at which it meets walls: 0 spreads, 180 rolls off (Young)
-    // Substeps from one push to the next, which is for them all: it costs as much as ten
+    // Substeps from one push to the next, which is for them all: it costs as much as twenty
     // evaluations of densities.
     int interval = 1;
 };
