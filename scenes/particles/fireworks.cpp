@@ -134,7 +134,7 @@ Scene fireworks(const Knobs& knobs) {
     slowDown(world, 1.0 / (24 * substeps));
     scene.options.schedule = {.substeps = substeps, .iterations = 1};
     scene.lead = lead;
-    scene.seconds = 6.5;
+    scene.seconds = 6.1;
 
     const auto oldest = [](const Snapshot& at) {
         double most = 0;
