@@ -60,7 +60,6 @@ Scene dissolve(const Knobs& knobs) {
     const double radius = knobs.byQuality(3e-3, 2.2e-3, 1.6e-3);
     const auto layers = layersOf(radius);
     scene.view = viewOf({}, {0, 0.06, 0}, 0.24, Material::matte, {0.5, 0.4, 2.2});
-    scene.view.looks.clear();
     int first = -1, last = 0;
     for (const std::vector<Vec<double>>& layer : layers) {
         const auto count = static_cast<int>(layer.size());
@@ -77,9 +76,8 @@ Scene dissolve(const Knobs& knobs) {
                                    .seed = knobs.seed + static_cast<std::uint64_t>(spare.first)};
         world.act<Source>(source);
         Look look{.object = spare, .material = Material::matte, .radius = radius};
-        look.point = [=, seed = knobs.seed + static_cast<std::uint64_t>(spare.first)](
-                         std::int32_t id, double age) {
-            const double pale = numberOf(id, seed, 7),
+        look.point = [=](std::int32_t id, double age) {
+            const double pale = numberOf(id, source.seed, 7),
                          sand = std::clamp((age - source.hold) / 0.5, 0.0, 1.0);
             const auto mixed = [=](double stone, double gold) {
                 return ((1 - sand) * stone + sand * gold) * (0.85 + 0.3 * pale);
