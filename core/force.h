@@ -32,6 +32,8 @@ public:
     // v <- v + h w f for a substep of h seconds that begins at time t. Vertices without inverse
     // mass stay as they are.
     virtual void apply(State<Real>&, double t, double h, Workers&) = 0;
+    // A substep of h seconds is over, at time t: what comes apart is told in State::cuts.
+    virtual void settle(State<Real>&, Drawer<Real>& /*kept*/, double /*t*/, double /*h*/) {}
 };
 
 // v <- v + w p for an impulse p in N s.

@@ -42,8 +42,11 @@ void Solver<Real>::substep(double from, double fraction) {
     dampRates();
     for (std::size_t k = 0; k < sets_.size(); ++k)
         sets_[k]->settle(state_, state_.kept[k], time() + h_, h_);
+    for (std::size_t f = 0; f < forces_.size(); ++f)
+        forces_[f]->settle(state_, drawerOf(static_cast<int>(sets_.size() + f)), time() + h_, h_);
     state_.hasPast = true;
     ++state_.substep;
+    comeApart(true);
 }
 
 // Columns left to right, each top to bottom by order (S figure 11): its sets forward and then
@@ -202,10 +205,12 @@ template <class Real>
 void Solver<Real>::frame() {
     const FlushDenormals flush;
     letGo();
+    comeApart(false);
     checkpoint_ = state_;
     const long evaluations = evaluations_, failures = failuresSoFar();
     const auto putBack = [&] {
         state_ = checkpoint_;
+        comeApart(false);
         evaluations_ = evaluations;
         blaming_ = false;
     };
@@ -235,7 +240,8 @@ void Solver<Real>::advance() {
     const auto timeIn = [&](int substeps) {
         return static_cast<double>(state_.substep + substeps) * h_;
     };
-    for (const auto& force : forces_) force->beginFrame(state_, timeIn(0), timeIn(n), workers_);
+    frame_ = {timeIn(0), timeIn(n)};
+    for (const auto& force : forces_) force->beginFrame(state_, frame_[0], frame_[1], workers_);
     for (int part = 0, done = 0; part < parts; ++part) {
         const int length = static_cast<int>(n * (part + 1L) / parts) - done;
         beginBaseStep(timeIn(0), timeIn(length));
@@ -247,6 +253,7 @@ void Solver<Real>::advance() {
 
 template <class Real>
 void Solver<Real>::beginBaseStep(double t0, double t1) {
+    base_ = {t0, t1};
     for (Pins& pins : pins_)
         for (const auto& [t, positions] : {std::pair{t0, &pins.from}, {t1, &pins.to}}) {
             std::copy(pins.start.begin(), pins.start.end(), positions->begin());
@@ -257,7 +264,7 @@ void Solver<Real>::beginBaseStep(double t0, double t1) {
 
 template <class Real>
 long Solver<Real>::failuresSoFar() const {
-    long sum = 0;
+    long sum = failuresBefore_;
     forContacts([&](const auto& set, int) { sum += set.failures(); });
     return sum;
 }
@@ -318,6 +325,7 @@ std::uint64_t Solver<Real>::hash() const {
     }
     add(state_.id);
     add(state_.born);
+    add(state_.cuts);
     for (const Drawer<Real>& drawer : state_.kept) {
         add(drawer.numbers);
         add(drawer.integers);

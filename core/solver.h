@@ -13,6 +13,7 @@
 #include "whole_step.h"
 #include "world.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -70,6 +71,8 @@ public:
 private:
     void setUp();
     void letGo();
+    void comeApart(bool now);
+    void remake();
     void setUpState();
     void setUpPins();
     void setUpSets();
@@ -129,7 +132,10 @@ private:
     };
 
     std::shared_ptr<const World> given_, world_;  // as it was given, as it is by now
-    int released_ = 0;                            // of the world's releases
+    double releasedBy_;                           // s: which releases the world has
+    std::vector<std::int32_t> apart_;             // what of State::cuts the world has
+    std::array<double, 2> frame_{}, base_{};      // s, from and to: the present ones
+    long failuresBefore_ = 0;                     // of sets that were made anew since
     SolverOptions options_;
     Schedule schedule_;
     Workers workers_;

@@ -50,7 +50,9 @@ template <class Real>
 void Solver<Real>::setUp() {
     state_ = {};
     world_ = given_;
-    released_ = 0;
+    releasedBy_ = -HUGE_VAL;
+    apart_.clear();
+    failuresBefore_ = 0;
     setUpState();
     setUpPins();
     setUpSets();
@@ -66,9 +68,9 @@ void Solver<Real>::setUp() {
 template <class Real>
 void Solver<Real>::letGo() {
     const double by = time() + h_ / 2;
-    if (given_->releasesBy(by) == released_) return;
-    released_ = given_->releasesBy(by);
-    world_ = std::make_shared<const World>(given_->releasedBy(by));
+    if (given_->releasesBy(by) == given_->releasesBy(releasedBy_)) return;
+    releasedBy_ = by;
+    remake();
     // Others keep theirs, which a set may have changed (Constraint::settle).
     for (std::size_t v = 0; v < world_->mass.size(); ++v) {
         Real& w = state_.particles[v].w;
@@ -77,6 +79,34 @@ void Solver<Real>::letGo() {
         else if (w == 0 && (state_.born.empty() || state_.born[v] >= 0))
             w = static_cast<Real>(1 / world_->mass[v]);
     }
+}
+
+// What has come apart in the state and not yet in the world: all that knows which vertices there
+// are is made anew. `now`: its copies begin where their vertices are; otherwise the state has them.
+template <class Real>
+void Solver<Real>::comeApart(bool now) {
+    if (state_.cuts == apart_) return;
+    const std::size_t before = now && world_->torn ? world_->torn->splits().size() : 0;
+    remake();
+    if (!now) return;
+    for (const auto& [vertex, copy, cut] : world_->torn->splits().subspan(before)) {
+        State<Real>::forArrays(state_, [&](auto& array) {
+            if (!array.empty()) array[copy] = array[vertex];
+        });
+        state_.id[copy] = copy;
+        state_.born[copy] = static_cast<std::int32_t>(state_.substep);
+        for (const int v : {vertex, copy})
+            state_.particles[v].w = static_cast<Real>(1 / world_->mass[v]);
+    }
+    for (const auto& set : sets_) set->beginFrame(base_[0], base_[1]);
+    for (const auto& force : forces_) force->beginFrame(state_, frame_[0], frame_[1], workers_);
+}
+
+template <class Real>
+void Solver<Real>::remake() {
+    failuresBefore_ = failuresSoFar();
+    world_ = std::make_shared<const World>(given_->releasedBy(releasedBy_).tornBy(state_.cuts));
+    apart_ = state_.cuts;
     setUpSets();
     setUpMethod();
 }

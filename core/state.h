@@ -69,8 +69,10 @@ struct State {
     // what is not there.
     std::vector<std::int32_t> id, born;
     std::vector<Drawer<Real>> kept;  // by set, then by force, then the method's
-    bool hasPast = false;            // last and lastVelocity hold the substep before this one
-    long substep = 0;                // since the start of the run
+    // Edges of the world's complex in the order in which they came apart (complex/cuts.h).
+    std::vector<std::int32_t> cuts;
+    bool hasPast = false;  // last and lastVelocity hold the substep before this one
+    long substep = 0;      // since the start of the run
 
     int count() const { return static_cast<int>(particles.size()) - 1; }
 
@@ -94,7 +96,7 @@ struct State {
         std::size_t sum = 0;
         const auto add = [&](const auto& array) { sum += array.size() * sizeof(array[0]); };
         forArrays(*this, add);
-        add(id), add(born);
+        add(id), add(born), add(cuts);
         for (const Drawer<Real>& drawer : kept) {
             add(drawer.numbers);
             add(drawer.integers);

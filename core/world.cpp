@@ -111,6 +111,35 @@ World World::releasedBy(double time) const {
     return free;
 }
 
+World World::tornBy(std::span<const std::int32_t> edges) const {
+    World now = *this;
+    if (edges.empty()) return now;
+    const auto cuts = std::make_shared<Cuts>(complex, tearable, pinned);
+    for (const std::int32_t edge : edges) cuts->cut(edge);
+    now.complex = cuts->torn();
+    for (const auto& [vertex, copy, cut] : cuts->splits()) {
+        now.rest[copy] = rest[cuts->original(copy)];
+        now.start[copy] = start[cuts->original(copy)];
+        now.velocity[copy] = velocity[cuts->original(copy)];
+        now.mass[copy] = 0;
+    }
+    for (const auto& [vertex, copy, cut] : cuts->splits()) {
+        const int whole = cuts->original(copy);
+        double all = 0, own = 0, kept = 0;
+        for (const int t : cuts->around(whole)) {
+            const double area = measure(2, complex.vertices(2, t), rest);
+            const int name = cuts->nameIn(t, whole);
+            all += area;
+            own += name == copy ? area : 0;
+            kept += name == whole ? area : 0;
+        }
+        now.mass[copy] = mass[whole] * own / all;
+        now.mass[whole] = mass[whole] * kept / all;
+    }
+    now.torn = cuts;
+    return now;
+}
+
 std::vector<int> World::select(Range range,
                                const std::function<bool(const Vec<double>&)>& where) const {
     std::vector<int> chosen;

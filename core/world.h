@@ -4,6 +4,7 @@
 // and actAir.
 #pragma once
 
+#include "complex/cuts.h"
 #include "complex/shapes.h"
 #include "constraint.h"
 #include "constraints/rows.h"
@@ -106,6 +107,8 @@ struct World {
     std::vector<Range> pieces;  // what moves as one (pieces/piece.h)
     int clusters = -1;  // the set whose drawer has, first of its integers, a piece each that says
                         // with which it moves as one (fracture/welds.h); -1: none
+    std::vector<Tearable> tearable;    // what may come apart (tearing/)
+    std::shared_ptr<const Cuts> torn;  // how it has; null: it has not. `complex` is as it is now
     std::vector<Pins> pins;
     std::vector<Release> releases;
     std::vector<Set> sets;
@@ -131,6 +134,10 @@ struct World {
     // How many releases have come by `time`, and the world with these.
     int releasesBy(double time) const;
     World releasedBy(double time) const;
+    // The world where these edges of its complex have come apart, in this order: copies lie where
+    // their vertices do, and have their part of the mass, by rest area. What is made from it knows
+    // by `torn` what its vertices are called now.
+    World tornBy(std::span<const std::int32_t> edges) const;
     // The vertices of `range` whose start satisfies `where`.
     std::vector<int> select(Range range,
                             const std::function<bool(const Vec<double>&)>& where) const;

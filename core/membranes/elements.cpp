@@ -6,18 +6,13 @@
 namespace plait {
 namespace {
 
-// F = u1 a v1^T + u2 b v2^T of a triangle: its principal stretches and where they point.
-struct Principal {
-    double a, b;
-    Vec<double> u1, u2, normal;
-    double cosine, sine;  // v1 = (cosine, sine), v2 = (-sine, cosine)
-};
-
 Vec<double> anyAcross(const Vec<double>& u) {
     const Vec<double> axis = std::abs(u.x) < 0.6 ? Vec<double>{1, 0, 0} : Vec<double>{0, 1, 0};
     const Vec<double> v = cross(u, axis);
     return divide(1.0, length(v)) * v;
 }
+
+}  // namespace
 
 Principal principal(const Patch& patch, const Vec<double>& d1, const Vec<double>& d2) {
     const Vec<double> f1 = patch.inverse[0] * d1,
@@ -41,8 +36,6 @@ Principal principal(const Patch& patch, const Vec<double>& d1, const Vec<double>
     p.u2 = cross(p.normal, p.u1);
     return p;
 }
-
-}  // namespace
 
 double Spring::energy(const Vec<double>& d) const {
     const double longer = length(d) - rest;
@@ -76,8 +69,8 @@ Patch::Patch(const Vec<double>& x0, const Vec<double>& x1, const Vec<double>& x2
 
 double Patch::energy(const Ogden& law, bool relaxed, const Vec<double>& d1,
                      const Vec<double>& d2) const {
-    const std::array<double, 2> s = stretches(*this, d1, d2);
-    return volume * (relaxed ? law.relaxedAt(s[0], s[1]) : law.at(s[0], s[1])).value;
+    const Principal p = principal(*this, d1, d2);
+    return volume * (relaxed ? law.relaxedAt(p.a, p.b) : law.at(p.a, p.b)).value;
 }
 
 // The six eigenvectors of the second derivative by F, and their eigenvalues, are closed forms of
@@ -129,11 +122,6 @@ double Patch::forces(const Ogden& law, bool relaxed, const Vec<double>& d1, cons
     add(e.a / a, mode(p.normal, none));
     add(e.b / b, mode(none, p.normal));
     return volume * e.value;
-}
-
-std::array<double, 2> stretches(const Patch& patch, const Vec<double>& d1, const Vec<double>& d2) {
-    const Principal p = principal(patch, d1, d2);
-    return {p.a, p.b};
 }
 
 }  // namespace plait

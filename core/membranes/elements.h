@@ -52,7 +52,13 @@ struct Patch {
                   std::array<Vec<double>, 3>& forces, std::array<Block, 6>& blocks) const;
 };
 
-// Principal stretches, the larger first, of a triangle with these edges.
-std::array<double, 2> stretches(const Patch& patch, const Vec<double>& d1, const Vec<double>& d2);
+// F = u1 a v1^T + u2 b v2^T of a triangle: its principal stretches, the larger first, and where they
+// point.
+struct Principal {
+    double a, b;
+    Vec<double> u1, u2, normal;
+    double cosine, sine;  // v1 = (cosine, sine), v2 = (-sine, cosine), the first edge along (1, 0)
+};
+Principal principal(const Patch& patch, const Vec<double>& d1, const Vec<double>& d2);
 
 }  // namespace plait

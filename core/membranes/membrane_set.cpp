@@ -22,15 +22,18 @@ MembraneSet<Real>::MembraneSet(const World& world, const Membrane& membrane)
       places_(world.start.size(), -1) {
     for (int n = 0; n < membrane.springs.size(); ++n) {
         const auto& row = membrane.springs.rows[n];
-        ends_.push_back(
-            {local(membrane.springs.ids[2 * n]), local(membrane.springs.ids[2 * n + 1])});
+        std::array<int, 2> ends{membrane.springs.ids[2 * n], membrane.springs.ids[2 * n + 1]};
+        if (world.torn && !world.torn->rename(ends)) continue;
+        ends_.push_back({local(ends[0]), local(ends[1])});
         springs_.push_back({row.rest, 1 / row.compliance, 1 / row.compression});
     }
     for (const Membrane::Rubber& rubber : membrane.rubber) {
         const int law = static_cast<int>(laws_.size());
         laws_.push_back({rubber.law, rubber.relaxed});
         for (std::size_t n = 0; n < rubber.triangles.size() / 3; ++n) {
-            const int* const v = &rubber.triangles[3 * n];
+            std::array<int, 3> v{};
+            std::copy_n(&rubber.triangles[3 * n], 3, v.begin());
+            if (world.torn) world.torn->rename(v);
             corners_.push_back({local(v[0]), local(v[1]), local(v[2])});
             const double t = rubber.thickness[rubber.thickness.size() == 1 ? 0 : n];
             patches_.push_back(

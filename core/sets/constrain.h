@@ -8,6 +8,10 @@
 
 namespace plait {
 
+// Stencils by the names that their vertices have in what has come apart; of those that lie across
+// a cut `padding`, throughout. Empty: nothing has.
+std::vector<int> renamed(const World& world, std::span<const int> ids, int arity, int padding);
+
 template <class Kind>
 void World::constrain(Rows<Kind> rows, SetOptions options) {
     if (options.direct && Kind::arity != 2)
@@ -21,7 +25,8 @@ void World::constrain(Rows<Kind> rows, SetOptions options) {
         if constexpr (Kind::arity == 2)
             if (options.direct) return std::make_unique<DirectSet<Kind, Real>>(set, world.pinned);
         const int padding = static_cast<int>(world.start.size());
-        return std::make_unique<ConstraintSet<Kind, Real>>(set, padding, kernels);
+        return std::make_unique<ConstraintSet<Kind, Real>>(
+            set, padding, kernels, renamed(world, set->ids, Kind::arity, padding));
     };
     constrain(recipeOf<Constraint>(make), std::move(options), requires { Kind::contact; });
 }

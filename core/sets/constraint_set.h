@@ -43,11 +43,16 @@ public:
     using Row = typename Kind::template Row<Real>;
     using WideRow = typename Kind::template Row<double>;
 
-    // `padding` is a vertex without mass that nothing else uses; all others are below it.
+    // `padding` is a vertex without mass that nothing else uses; all others are below it. `renamed`
+    // are the stencils where some came apart, at the same places; empty: those of the rows.
     ConstraintSet(Rows<Kind> set, int padding, KernelChoice choice)
         : ConstraintSet(std::make_shared<const Rows<Kind>>(std::move(set)), padding, choice) {}
-    ConstraintSet(SharedRows<Kind> set, int padding, KernelChoice choice)
-        : set_(std::move(set)), moving_(*set_), kernels_(kernelTable<Kind, Real>(choice)) {
+    ConstraintSet(SharedRows<Kind> set, int padding, KernelChoice choice,
+                  std::vector<int> renamed = {})
+        : set_(std::move(set)),
+          renamed_(std::move(renamed)),
+          moving_(*set_),
+          kernels_(kernelTable<Kind, Real>(choice)) {
         layOut(set_->colors.empty() ? greedyColors(set_->ids, arity, padding) : set_->colors,
                padding);
     }
@@ -75,13 +80,13 @@ public:
     }
 
     void countAt(std::vector<int>& counts) const override {
-        for (const int v : set_->ids) ++counts[static_cast<std::size_t>(v)];
+        for (const int v : stencils()) ++counts[static_cast<std::size_t>(v)];
     }
     void relaxBy(const std::vector<int>& counts) override {
         for (std::size_t i = 0; i < slot_.size(); ++i) {
             int most = 1;
             for (std::size_t a = 0; a < arity; ++a)
-                most = std::max(most, counts[static_cast<std::size_t>(set_->ids[i * arity + a])]);
+                most = std::max(most, counts[static_cast<std::size_t>(stencils()[i * arity + a])]);
             at(relax_, slot_[i]) = Real(1) / static_cast<Real>(most);
         }
     }
@@ -90,13 +95,14 @@ public:
         if constexpr (requires { Kind::contact; })
             for (std::size_t i = 0; i < slot_.size(); ++i)
                 for (std::size_t a = 0; a < arity; ++a)
-                    touched[static_cast<std::size_t>(set_->ids[i * arity + a])] |=
+                    touched[static_cast<std::size_t>(stencils()[i * arity + a])] |=
                         at(lambda_, slot_[i]) != Real(0);
     }
 
     bool termsOf(std::span<const int> which, const State<Real>& state, bool curved,
                  Terms<Real>& out) const override {
-        setTerms<Kind>(out, set_->ids, which, curved, state, [&](int i) { return read(slot_[i]); });
+        setTerms<Kind>(out, stencils(), which, curved, state,
+                       [&](int i) { return read(slot_[i]); });
         return true;
     }
 
@@ -120,6 +126,8 @@ private:
     struct Color {
         int begin, end;  // slots; multiples of blockSize
     };
+
+    const std::vector<int>& stencils() const { return renamed_.empty() ? set_->ids : renamed_; }
 
     template <class Lane>
     static auto& at(Lane& lanes, int slot) {
@@ -164,7 +172,7 @@ private:
         }
         for (std::size_t a = 0; a < arity; ++a)
             ids_[block].member[a][slot % blockSize] =
-                pad ? padding : set_->ids[static_cast<std::size_t>(i) * arity + a];
+                pad ? padding : stencils()[static_cast<std::size_t>(i) * arity + a];
         write(slot, narrow<Kind, Real>(set_->rows[static_cast<std::size_t>(i)]));
     }
 
@@ -200,6 +208,7 @@ private:
     }
 
     SharedRows<Kind> set_;
+    std::vector<int> renamed_;
     MovingRows<Kind> moving_;
     const KernelTable<Real>& kernels_;
     std::vector<Block<int, arity>> ids_;

@@ -1,0 +1,319 @@
+#include "tear.h"
+
+#include "../numbers/convert.h"
+#include "../numbers/elementary.h"
+#include "../numbers/splitmix.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plait {
+namespace {
+
+constexpr int ring = 3;  // edges around the end of a tear that J is asked over
+
+Cuts cutsOf(const World& world) {
+    return world.torn ? *world.torn : Cuts(world.complex, world.tearable, world.pinned);
+}
+
+Range spareOf(const World& world, const Tearing& tearing) {
+    for (const Tearable& tearable : world.tearable)
+        if (tearable.matter.first == tearing.cloth.first) return tearable.spare;
+    return {};
+}
+
+Vec<double> unitOf(const Vec<double>& v) { return divide(1.0, length(v)) * v; }
+
+}  // namespace
+
+template <class Real>
+Tear<Real>::Tear(const World& world, const Tearing& tearing)
+    : tearing_(tearing),
+      spare_(spareOf(world, tearing)),
+      cuts_(cutsOf(world)),
+      rest_(world.rest),
+      stress_(cuts_, tearing.rubber, rest_),
+      sites_(sitesOf(cuts_, rest_)),
+      parts_(rest_.size(), 1) {
+    Splitmix random(tearing.seed);
+    for (int v = tearing.cloth.first; v < spare_.first; ++v)
+        parts_[v] =
+            (tearing.map ? tearing.map(rest_[v]) : 1) * (1 + tearing.scatter * random.both());
+    double mass = 0, stiffness = 0;
+    for (int v = tearing.cloth.first; v < tearing.cloth.last; ++v)
+        if (v < spare_.first || cuts_.original(v) != v) mass += world.mass[v];
+    for (int t = 0; t < cuts_.whole().count(2); ++t)
+        if (stress_.has(t)) stiffness += stress_.volume(t) * stress_.shearModulus(t);
+    waveSpeed_ = std::sqrt(stiffness / mass);
+    findLips();
+}
+
+// An edge that parted no vertex by itself, as the first inside a sheet, is paid for by the next
+// that does.
+template <class Real>
+void Tear<Real>::findLips() {
+    double owed = 0;
+    const auto splits = cuts_.splits();
+    std::size_t next = 0;
+    for (const int edge : cuts_.order()) {
+        owed += costOf(edge);
+        const std::size_t first = next;
+        while (next < splits.size() && splits[next].cut == edge) ++next;
+        for (std::size_t s = first; s < next; ++s) {
+            if (splits[s].copy < spare_.first || splits[s].copy >= spare_.last) continue;
+            const auto ends = cuts_.whole().vertices(1, edge);
+            const double span = length(rest_[ends[1]] - rest_[ends[0]]);
+            lips_.push_back({splits[s].vertex, splits[s].copy,
+                             owed / static_cast<double>(next - first), span / waveSpeed_});
+        }
+        if (next > first) owed = 0;
+    }
+}
+
+template <class Real>
+double Tear<Real>::costOf(int edge) const {
+    const auto ends = cuts_.whole().vertices(1, edge);
+    double thickness = 0;
+    for (const int t : cuts_.around(ends[0])) {
+        const auto corners = cuts_.whole().vertices(2, t);
+        if (stress_.has(t) && std::ranges::find(corners, ends[1]) != corners.end())
+            thickness = std::max(thickness, stress_.thickness(t));
+    }
+    return tearing_.toughness * 0.5 * (parts_[ends[0]] + parts_[ends[1]]) * thickness *
+           length(rest_[ends[1]] - rest_[ends[0]]);
+}
+
+template <class Real>
+void Tear<Real>::furnish(Drawer<Real>& kept) const {
+    kept.numbers.assign(2 * static_cast<std::size_t>(spare_.size()), Real(0));
+    kept.integers.assign(1, 0);
+}
+
+template <class Real>
+void Tear<Real>::prepare(State<Real>&, Drawer<Real>& kept, double, double, Workers&) {
+    kept_ = &kept;
+}
+
+template <class Real>
+void Tear<Real>::apply(State<Real>& state, double, double h, Workers&) {
+    for (const Lips& lips : lips_) {
+        Real& taken = kept_->numbers[lips.copy - spare_.first];
+        const double left = lips.cost - double(taken);
+        if (!(left > 0)) continue;
+        Vec<Real>&v = state.velocity[lips.vertex].v, &u = state.velocity[lips.copy].v;
+        const double wv = state.particles[lips.vertex].w, wu = state.particles[lips.copy].w;
+        if (wv + wu == 0) continue;
+        const Vec<double> apart = as<double>(u - v);
+        // Of the energy of how fast they part, as much as is left to pay.
+        const double energy = 0.5 * dot(apart, apart) / (wv + wu),
+                     lost = 1 - exponential(-2 * h / lips.time),
+                     part = energy * lost > left ? divide(left, energy) : lost,
+                     slower = 1 - squareRoot(1 - part);
+        u -= as<Real>((slower * wu / (wv + wu)) * apart);
+        v += as<Real>((slower * wv / (wv + wu)) * apart);
+        taken += static_cast<Real>(part * energy);
+    }
+}
+
+template <class Real>
+std::array<Vec<double>, 3> Tear<Real>::placesOf(const State<Real>& state, int triangle) const {
+    const auto corners = cuts_.corners(triangle);
+    return {state.position(corners[0]), state.position(corners[1]), state.position(corners[2])};
+}
+
+// The mean over its triangles, at rest, of what each bears, seen in the plane at the vertex.
+template <class Real>
+typename Tear<Real>::Bearing Tear<Real>::bearing(const State<Real>& state, int vertex) const {
+    const Site& site = sites_[vertex];
+    const Vec<double> along = site.spokes.empty() ? Vec<double>{} : site.spokes[0].direction,
+                      u = unitOf(along - dot(along, site.normal) * site.normal),
+                      v = cross(site.normal, u);
+    double uu = 0, uv = 0, vv = 0, area = 0;
+    for (const int t : site.triangles) {
+        if (!stress_.has(t)) continue;
+        const auto borne = stress_.borne(t, placesOf(state, t));
+        area += stress_.area(t);
+        for (int i = 0; i < 2; ++i) {
+            const double p = stress_.area(t) * borne.force[i], a = dot(borne.direction[i], u),
+                         b = dot(borne.direction[i], v);
+            uu += p * a * a, uv += p * a * b, vv += p * b * b;
+        }
+    }
+    if (!(area > 0)) return {};
+    const double half = 0.5 * (uu - vv), r = squareRoot(half * half + uv * uv);
+    const double x = half > 0 ? r + half : uv, y = half > 0 ? uv : r - half;
+    return {(0.5 * (uu + vv) + r) / area, unitOf(x * u + y * v)};
+}
+
+// Eshelby's force on a place in the matter: with q 1 near it and 0 from `ring` edges on, minus the
+// sum over triangles of volume times (W - F^T P) grad q.
+template <class Real>
+Vec<double> Tear<Real>::drive(const State<Real>& state, int vertex) const {
+    std::vector<int> vertices{vertex}, steps{0}, triangles;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        if (steps[i] == ring) continue;
+        const Site& site = sites_[vertices[i]];
+        triangles.insert(triangles.end(), site.triangles.begin(), site.triangles.end());
+        for (const Spoke& spoke : site.spokes) {
+            if (std::ranges::find(vertices, spoke.end) != vertices.end()) continue;
+            vertices.push_back(spoke.end);
+            steps.push_back(steps[i] + 1);
+        }
+    }
+    std::ranges::sort(triangles);
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    Vec<double> sum{0, 0, 0};
+    for (const int t : triangles) {
+        if (!stress_.has(t)) continue;
+        std::array<double, 3> q;
+        for (int c = 0; c < 3; ++c) {
+            const auto at = std::ranges::find(vertices, cuts_.corners(t)[c]);
+            q[c] = at != vertices.end() && steps[at - vertices.begin()] < ring ? 1 : 0;
+        }
+        if (q[0] == q[1] && q[1] == q[2]) continue;
+        const auto borne = stress_.borne(t, placesOf(state, t));
+        const Vec<double> slope = stress_.gradient(t, q);
+        for (int i = 0; i < 2; ++i)
+            sum -= stress_.volume(t) * (borne.energy - borne.stretch[i] * borne.force[i]) *
+                   dot(borne.direction[i], slope) * borne.direction[i];
+    }
+    return sum;
+}
+
+template <class Real>
+void Tear<Real>::findFailing(const State<Real>& state, const Drawer<Real>& kept, double t,
+                             std::vector<Failing>& failing) const {
+    const bool tough = tearing_.toughness > 0;
+    for (int v = tearing_.cloth.first; v < tearing_.cloth.last; ++v) {
+        const Site& site = sites_[v];
+        const int whole = cuts_.original(v);
+        if (site.triangles.empty() || cuts_.isHeld(whole)) continue;
+        if (tough && site.endsTear()) {
+            const Vec<double> drive = this->drive(state, v);
+            double thickness = 0, shortest = infinity, since = infinity;
+            for (const int n : site.triangles)
+                if (stress_.has(n)) thickness = std::max(thickness, stress_.thickness(n));
+            for (const Spoke& spoke : site.spokes) {
+                if (spoke.triangles > 1) continue;
+                shortest = std::min(shortest, spoke.length);
+                for (const int end : {spoke.end, cuts_.original(spoke.end)})
+                    if (end >= spare_.first && end < spare_.last)
+                        since = std::min(
+                            since, t - double(kept.numbers[spare_.size() + end - spare_.first]));
+            }
+            if (since * waveSpeed_ < shortest) continue;
+            const double times = length(drive) / (tearing_.toughness * parts_[whole] * thickness);
+            if (times > 1) failing.push_back({times, v, {}, unitOf(drive)});
+            continue;
+        }
+        if (!(tearing_.strength < infinity)) continue;
+        const Bearing most = bearing(state, v);
+        const double times = most.force / (tearing_.strength * parts_[whole]);
+        if (times > 1)
+            failing.push_back(
+                {times, v, most.direction, site.endsTear() ? site.ahead() : Vec<double>{}});
+    }
+    std::ranges::sort(failing, [](const Failing& a, const Failing& b) {
+        return a.times > b.times || (a.times == b.times && a.vertex < b.vertex);
+    });
+}
+
+// The vertex nearest to where a segment goes through the sheet; -1: it does not.
+template <class Real>
+int Tear<Real>::pierced(const State<Real>& state, const Vec<double>& from,
+                        const Vec<double>& to) const {
+    const Vec<double> way = to - from;
+    for (int t = 0; t < cuts_.whole().count(2); ++t) {
+        if (!stress_.has(t)) continue;
+        const auto x = placesOf(state, t);
+        const Vec<double> n = cross(x[1] - x[0], x[2] - x[0]);
+        const double slope = dot(way, n), at = divide(dot(x[0] - from, n), slope);
+        if (slope == 0 || at < 0 || at >= 1) continue;
+        const Vec<double> place = from + at * way;
+        const auto side = [&](int a, int b) {
+            return dot(cross(x[b] - x[a], place - x[a]), n) >= 0;
+        };
+        if (!side(0, 1) || !side(1, 2) || !side(2, 0)) continue;
+        int best = 0;
+        for (int c = 1; c < 3; ++c)
+            if (length(x[c] - place) < length(x[best] - place)) best = c;
+        return cuts_.corners(t)[best];
+    }
+    return -1;
+}
+
+// At the end of a tear the edge that goes on most nearly along; elsewhere the one most nearly
+// across what pulls, and inside a sheet the one that goes on opposite to it.
+template <class Real>
+std::vector<int> Tear<Real>::edgesFor(const Failing& failing) const {
+    const Site& site = sites_[failing.vertex];
+    const Spoke *best = nullptr, *other = nullptr;
+    const auto better = [&](const Spoke& a, const Spoke* b) {
+        if (!b) return true;
+        const double across = std::fabs(dot(a.direction, failing.across)) -
+                              std::fabs(dot(b->direction, failing.across));
+        return length(failing.across) > 0
+                   ? across < 0
+                   : dot(a.direction, failing.along) > dot(b->direction, failing.along);
+    };
+    const auto open = [&](const Spoke& spoke) {
+        return spoke.triangles > 1 && !cuts_.isCut(spoke.edge);
+    };
+    for (const Spoke& spoke : site.spokes)
+        if (open(spoke) && dot(spoke.direction, failing.along) >= 0 && better(spoke, best))
+            best = &spoke;
+    if (!best) return {};
+    if (site.inside())
+        for (const Spoke& spoke : site.spokes)
+            if (open(spoke) && dot(spoke.direction, best->direction) < -0.3 && better(spoke, other))
+                other = &spoke;
+    if (!other) return {best->edge};
+    return {best->edge, other->edge};
+}
+
+template <class Real>
+bool Tear<Real>::near(int vertex, const std::vector<int>& others) const {
+    return std::ranges::any_of(others, [&](int other) {
+        return other == vertex || std::ranges::any_of(sites_[vertex].spokes, [&](const Spoke& s) {
+                   return s.end == other ||
+                          std::ranges::any_of(sites_[s.end].spokes,
+                                              [&](const Spoke& r) { return r.end == other; });
+               });
+    });
+}
+
+// The worst first; what is within two edges of it has to wait for what that changes.
+template <class Real>
+void Tear<Real>::settle(State<Real>& state, Drawer<Real>& kept, double t, double h) {
+    const bool asked = tearing_.asked == Tears::perSubstep ||
+                       (tearing_.asked == Tears::perFrame && t - h < from_ + 0.5 * h);
+    if (!asked) return;
+    std::vector<Failing> failing;
+    findFailing(state, kept, t, failing);
+    if (tearing_.needle) {
+        const int v = pierced(state, tearing_.needle(t - h), tearing_.needle(t));
+        if (v >= 0 && !cuts_.isHeld(cuts_.original(v)))
+            failing.insert(failing.begin(), {infinity, v, bearing(state, v).direction, {}});
+    }
+    if (failing.empty()) return;
+    Cuts cuts = cuts_;
+    std::vector<int> torn;
+    for (const Failing& f : failing) {
+        if (near(f.vertex, torn)) continue;
+        const std::size_t before = cuts.splits().size();
+        for (const int edge : edgesFor(f)) {
+            if (cuts.cut(edge))
+                state.cuts.push_back(edge);
+            else
+                ++kept.integers[0];
+        }
+        if (state.cuts.size() > cuts_.order().size()) torn.push_back(f.vertex);
+        for (const Split& split : cuts.splits().subspan(before))
+            kept.numbers[spare_.size() + split.copy - spare_.first] = static_cast<Real>(t);
+    }
+}
+
+template class Tear<float>;
+template class Tear<double>;
+
+}  // namespace plait

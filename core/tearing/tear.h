@@ -1,0 +1,77 @@
+// The force of what tears: it decides, once a substep has ended, what comes apart, and takes what
+// that costs from how the lips part.
+#pragma once
+
+#include "../force.h"
+#include "stress.h"
+#include "tearing.h"
+
+#include <optional>
+#include <vector>
+
+namespace plait {
+
+template <class Real>
+class Tear : public Force<Real> {
+public:
+    Tear(const World& world, const Tearing& tearing);
+
+    std::string name() const override { return tearing_.name; }
+    // By spare vertex, J that its lips have taken; then the time (s) at which it came apart. Of
+    // the whole numbers one, the cuts that were refused for want of spare vertices.
+    void furnish(Drawer<Real>& kept) const override;
+    void beginFrame(const State<Real>&, double t0, double, Workers&) override { from_ = t0; }
+    void prepare(State<Real>& state, Drawer<Real>& kept, double t, double h,
+                 Workers& workers) override;
+    void apply(State<Real>& state, double t, double h, Workers& workers) override;
+    void settle(State<Real>& state, Drawer<Real>& kept, double t, double h) override;
+
+    // Where a sheet is by now: J/m, along which way at rest, of a tear that ended at this vertex.
+    Vec<double> drive(const State<Real>& state, int vertex) const;
+    // Pa and, of unit length at rest, its direction: what the triangles of a vertex bear most.
+    struct Bearing {
+        double force = 0;
+        Vec<double> direction{};
+    };
+    Bearing bearing(const State<Real>& state, int vertex) const;
+
+private:
+    // Two that were one.
+    struct Lips {
+        int vertex, copy;
+        double cost;  // J
+        double time;  // s, in which a dashpot takes all but 1 / e of how fast they part
+    };
+    struct Failing {
+        double times;  // of what it bears
+        int vertex;
+        Vec<double> across;  // of unit length, at rest: what pulls, or 0
+        Vec<double> along;   // likewise, where a tear goes on
+    };
+
+    std::array<Vec<double>, 3> placesOf(const State<Real>& state, int triangle) const;
+    double costOf(int edge) const;
+    void findLips();
+    void findFailing(const State<Real>& state, const Drawer<Real>& kept, double t,
+                     std::vector<Failing>& failing) const;
+    int pierced(const State<Real>& state, const Vec<double>& from, const Vec<double>& to) const;
+    std::vector<int> edgesFor(const Failing& failing) const;
+    bool near(int vertex, const std::vector<int>& others) const;
+
+    Tearing tearing_;
+    Range spare_{};
+    Cuts cuts_;
+    std::vector<Vec<double>> rest_;  // m
+    SheetStress stress_;
+    std::vector<Site> sites_;
+    std::vector<double> parts_;  // by vertex of the whole: of strength and toughness
+    std::vector<Lips> lips_;
+    double waveSpeed_ = 0;  // m/s, of shear waves at rest
+    Drawer<Real>* kept_ = nullptr;
+    double from_ = 0;  // s, of the frame
+};
+
+extern template class Tear<float>;
+extern template class Tear<double>;
+
+}  // namespace plait
