@@ -6,9 +6,10 @@
 namespace plait {
 namespace {
 
-Spoke& spokeOf(Site& site, int edge) {
+// One that is cut has two sides.
+Spoke& spokeOf(Site& site, int edge, bool isCut) {
     const auto at = std::ranges::lower_bound(site.spokes, edge, {}, &Spoke::edge);
-    if (at != site.spokes.end() && at->edge == edge) return *at;
+    if (at != site.spokes.end() && at->edge == edge && !isCut) return *at;
     return *site.spokes.insert(at, {-1, edge, 0, 0, {}});
 }
 
@@ -42,7 +43,8 @@ std::vector<Site> sitesOf(const Cuts& cuts, std::span<const Vec<double>> rest) {
             for (int other = 0; other < 3; ++other) {
                 if (other == c) continue;
                 // The face that lacks the third vertex.
-                Spoke& spoke = spokeOf(site, whole.faces(2, t)[3 - c - other]);
+                const int edge = whole.faces(2, t)[3 - c - other];
+                Spoke& spoke = spokeOf(site, edge, cuts.isCut(edge));
                 sides[n++] = rest[names[other]] - rest[names[c]];
                 spoke.end = names[other];
                 spoke.length = length(sides[n - 1]);

@@ -59,7 +59,8 @@ SheetStress::Borne SheetStress::borne(int triangle,
             {p.a, p.b},
             {e.a, e.b},
             {p.cosine * element.along + p.sine * element.across,
-             p.cosine * element.across - p.sine * element.along}};
+             p.cosine * element.across - p.sine * element.along},
+            {p.u1, p.u2}};
 }
 
 std::array<Vec<double>, 3> SheetStress::forces(int triangle,

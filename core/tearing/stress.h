@@ -24,6 +24,7 @@ public:
         std::array<double, 2> stretch;         // the larger first
         std::array<double, 2> force;           // Pa, on areas at rest
         std::array<Vec<double>, 2> direction;  // of unit length, at rest
+        std::array<Vec<double>, 2> pull;       // of unit length, where these forces point now
     };
     // `positions`: of its corners (m), in the order of Cuts::corners.
     Borne borne(int triangle, const std::array<Vec<double>, 3>& positions) const;

@@ -64,7 +64,7 @@ void Tear<Real>::findLips() {
             const auto ends = cuts_.whole().vertices(1, edge);
             const double span = length(rest_[ends[1]] - rest_[ends[0]]);
             lips_.push_back({splits[s].vertex, splits[s].copy,
-                             owed / static_cast<double>(next - first), span / waveSpeed_});
+                             owed / static_cast<double>(next - first), 0.25 * span / waveSpeed_});
         }
         if (next > first) owed = 0;
     }
@@ -90,8 +90,9 @@ void Tear<Real>::furnish(Drawer<Real>& kept) const {
 }
 
 template <class Real>
-void Tear<Real>::prepare(State<Real>&, Drawer<Real>& kept, double, double, Workers&) {
+void Tear<Real>::prepare(State<Real>&, Drawer<Real>& kept, double, double h, Workers&) {
     kept_ = &kept;
+    h_ = h;
 }
 
 template <class Real>
@@ -111,7 +112,7 @@ void Tear<Real>::apply(State<Real>& state, double, double h, Workers&) {
                      slower = 1 - squareRoot(1 - part);
         u -= as<Real>((slower * wu / (wv + wu)) * apart);
         v += as<Real>((slower * wv / (wv + wu)) * apart);
-        taken += static_cast<Real>(part * energy);
+        taken += static_cast<Real>(part * energy * h_ / h);
     }
 }
 
@@ -121,54 +122,64 @@ std::array<Vec<double>, 3> Tear<Real>::placesOf(const State<Real>& state, int tr
     return {state.position(corners[0]), state.position(corners[1]), state.position(corners[2])};
 }
 
-// The mean over its triangles, at rest, of what each bears, seen in the plane at the vertex.
+// Of the mean of P = sum of p u v^T the greatest singular value and the v of it: the legs of a
+// trouser pull along a tear, but one up and one down.
 template <class Real>
-typename Tear<Real>::Bearing Tear<Real>::bearing(const State<Real>& state, int vertex) const {
+typename Tear<Real>::Bearing Tear<Real>::bearing(const State<Real>& state, int vertex,
+                                                 std::span<const int> triangles) const {
     const Site& site = sites_[vertex];
     const Vec<double> along = site.spokes.empty() ? Vec<double>{} : site.spokes[0].direction,
-                      u = unitOf(along - dot(along, site.normal) * site.normal),
-                      v = cross(site.normal, u);
-    double uu = 0, uv = 0, vv = 0, area = 0;
-    for (const int t : site.triangles) {
+                      e = unitOf(along - dot(along, site.normal) * site.normal),
+                      f = cross(site.normal, e);
+    Vec<double> pe{0, 0, 0}, pf{0, 0, 0};
+    double volume = 0;
+    for (const int t : triangles) {
         if (!stress_.has(t)) continue;
         const auto borne = stress_.borne(t, placesOf(state, t));
-        area += stress_.area(t);
+        volume += stress_.volume(t);
         for (int i = 0; i < 2; ++i) {
-            const double p = stress_.area(t) * borne.force[i], a = dot(borne.direction[i], u),
-                         b = dot(borne.direction[i], v);
-            uu += p * a * a, uv += p * a * b, vv += p * b * b;
+            const Vec<double> p = (stress_.volume(t) * borne.force[i]) * borne.pull[i];
+            pe += dot(borne.direction[i], e) * p;
+            pf += dot(borne.direction[i], f) * p;
         }
     }
-    if (!(area > 0)) return {};
-    const double half = 0.5 * (uu - vv), r = squareRoot(half * half + uv * uv);
-    const double x = half > 0 ? r + half : uv, y = half > 0 ? uv : r - half;
-    return {(0.5 * (uu + vv) + r) / area, unitOf(x * u + y * v)};
+    const double ee = dot(pe, pe), ef = dot(pe, pf), ff = dot(pf, pf), half = 0.5 * (ee - ff),
+                 r = squareRoot(half * half + ef * ef);
+    const double x = half > 0 ? r + half : ef, y = half > 0 ? ef : r - half;
+    return {divide(squareRoot(0.5 * (ee + ff) + r), volume), unitOf(x * e + y * f)};
+}
+
+template <class Real>
+typename Tear<Real>::Disc Tear<Real>::discAt(int vertex) const {
+    Disc disc{{vertex}, {0}, {}};
+    for (std::size_t i = 0; i < disc.vertices.size(); ++i) {
+        if (disc.steps[i] == ring) continue;
+        const Site& site = sites_[disc.vertices[i]];
+        disc.triangles.insert(disc.triangles.end(), site.triangles.begin(), site.triangles.end());
+        for (const Spoke& spoke : site.spokes) {
+            if (std::ranges::find(disc.vertices, spoke.end) != disc.vertices.end()) continue;
+            disc.vertices.push_back(spoke.end);
+            disc.steps.push_back(disc.steps[i] + 1);
+        }
+    }
+    std::ranges::sort(disc.triangles);
+    disc.triangles.erase(std::unique(disc.triangles.begin(), disc.triangles.end()),
+                         disc.triangles.end());
+    return disc;
 }
 
 // Eshelby's force on a place in the matter: with q 1 near it and 0 from `ring` edges on, minus the
 // sum over triangles of volume times (W - F^T P) grad q.
 template <class Real>
 Vec<double> Tear<Real>::drive(const State<Real>& state, int vertex) const {
-    std::vector<int> vertices{vertex}, steps{0}, triangles;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        if (steps[i] == ring) continue;
-        const Site& site = sites_[vertices[i]];
-        triangles.insert(triangles.end(), site.triangles.begin(), site.triangles.end());
-        for (const Spoke& spoke : site.spokes) {
-            if (std::ranges::find(vertices, spoke.end) != vertices.end()) continue;
-            vertices.push_back(spoke.end);
-            steps.push_back(steps[i] + 1);
-        }
-    }
-    std::ranges::sort(triangles);
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    const Disc disc = discAt(vertex);
     Vec<double> sum{0, 0, 0};
-    for (const int t : triangles) {
+    for (const int t : disc.triangles) {
         if (!stress_.has(t)) continue;
         std::array<double, 3> q;
         for (int c = 0; c < 3; ++c) {
-            const auto at = std::ranges::find(vertices, cuts_.corners(t)[c]);
-            q[c] = at != vertices.end() && steps[at - vertices.begin()] < ring ? 1 : 0;
+            const auto at = std::ranges::find(disc.vertices, cuts_.corners(t)[c]);
+            q[c] = at != disc.vertices.end() && disc.steps[at - disc.vertices.begin()] < ring;
         }
         if (q[0] == q[1] && q[1] == q[2]) continue;
         const auto borne = stress_.borne(t, placesOf(state, t));
@@ -180,38 +191,39 @@ Vec<double> Tear<Real>::drive(const State<Real>& state, int vertex) const {
     return sum;
 }
 
+// How long ago (s) the tear that ends here got here, and how long its last edge is (m).
+template <class Real>
+bool Tear<Real>::mayGoOn(const Drawer<Real>& kept, const Site& site, double t) const {
+    for (const Spoke& spoke : site.spokes) {
+        if (spoke.triangles > 1 || spoke.end < spare_.first || spoke.end >= spare_.last) continue;
+        const double since = t - double(kept.numbers[spare_.size() + spoke.end - spare_.first]);
+        if (since * waveSpeed_ < spoke.length) return false;
+    }
+    return true;
+}
+
 template <class Real>
 void Tear<Real>::findFailing(const State<Real>& state, const Drawer<Real>& kept, double t,
                              std::vector<Failing>& failing) const {
-    const bool tough = tearing_.toughness > 0;
     for (int v = tearing_.cloth.first; v < tearing_.cloth.last; ++v) {
         const Site& site = sites_[v];
         const int whole = cuts_.original(v);
         if (site.triangles.empty() || cuts_.isHeld(whole)) continue;
-        if (tough && site.endsTear()) {
-            const Vec<double> drive = this->drive(state, v);
-            double thickness = 0, shortest = infinity, since = infinity;
+        const Vec<double> ahead = site.endsTear() ? site.ahead() : Vec<double>{};
+        if (tearing_.toughness > 0 && site.endsTear()) {
+            if (!mayGoOn(kept, site, t)) continue;
+            double thickness = 0;
             for (const int n : site.triangles)
                 if (stress_.has(n)) thickness = std::max(thickness, stress_.thickness(n));
-            for (const Spoke& spoke : site.spokes) {
-                if (spoke.triangles > 1) continue;
-                shortest = std::min(shortest, spoke.length);
-                for (const int end : {spoke.end, cuts_.original(spoke.end)})
-                    if (end >= spare_.first && end < spare_.last)
-                        since = std::min(
-                            since, t - double(kept.numbers[spare_.size() + end - spare_.first]));
-            }
-            if (since * waveSpeed_ < shortest) continue;
-            const double times = length(drive) / (tearing_.toughness * parts_[whole] * thickness);
-            if (times > 1) failing.push_back({times, v, {}, unitOf(drive)});
-            continue;
+            const double times =
+                length(drive(state, v)) / (tearing_.toughness * parts_[whole] * thickness);
+            if (times > 1)
+                failing.push_back({times, v, bearing(state, v, discAt(v).triangles).normal, ahead});
+        } else if (tearing_.strength < infinity) {
+            const Bearing most = bearing(state, v);
+            const double times = most.force / (tearing_.strength * parts_[whole]);
+            if (times > 1) failing.push_back({times, v, most.normal, ahead});
         }
-        if (!(tearing_.strength < infinity)) continue;
-        const Bearing most = bearing(state, v);
-        const double times = most.force / (tearing_.strength * parts_[whole]);
-        if (times > 1)
-            failing.push_back(
-                {times, v, most.direction, site.endsTear() ? site.ahead() : Vec<double>{}});
     }
     std::ranges::sort(failing, [](const Failing& a, const Failing& b) {
         return a.times > b.times || (a.times == b.times && a.vertex < b.vertex);
@@ -242,33 +254,26 @@ int Tear<Real>::pierced(const State<Real>& state, const Vec<double>& from,
     return -1;
 }
 
-// At the end of a tear the edge that goes on most nearly along; elsewhere the one most nearly
-// across what pulls, and inside a sheet the one that goes on opposite to it.
+// The edge that lies most nearly in the section that bears most, at the end of a tear ahead; inside
+// a sheet also the one that goes on opposite to it.
 template <class Real>
 std::vector<int> Tear<Real>::edgesFor(const Failing& failing) const {
     const Site& site = sites_[failing.vertex];
-    const Spoke *best = nullptr, *other = nullptr;
-    const auto better = [&](const Spoke& a, const Spoke* b) {
-        if (!b) return true;
-        const double across = std::fabs(dot(a.direction, failing.across)) -
-                              std::fabs(dot(b->direction, failing.across));
-        return length(failing.across) > 0
-                   ? across < 0
-                   : dot(a.direction, failing.along) > dot(b->direction, failing.along);
-    };
-    const auto open = [&](const Spoke& spoke) {
-        return spoke.triangles > 1 && !cuts_.isCut(spoke.edge);
-    };
-    for (const Spoke& spoke : site.spokes)
-        if (open(spoke) && dot(spoke.direction, failing.along) >= 0 && better(spoke, best))
-            best = &spoke;
-    if (!best) return {};
-    if (site.inside())
+    const auto best = [&](const Vec<double>& way, double least) {
+        const Spoke* found = nullptr;
+        const auto off = [&](const Spoke& s) {
+            return std::fabs(dot(s.direction, failing.normal));
+        };
         for (const Spoke& spoke : site.spokes)
-            if (open(spoke) && dot(spoke.direction, best->direction) < -0.3 && better(spoke, other))
-                other = &spoke;
-    if (!other) return {best->edge};
-    return {best->edge, other->edge};
+            if (spoke.triangles > 1 && dot(spoke.direction, way) >= least &&
+                (!found || off(spoke) < off(*found)))
+                found = &spoke;
+        return found;
+    };
+    const Spoke* const first = best(failing.ahead, 0);
+    if (!first) return {};
+    const Spoke* const second = site.inside() ? best(-first->direction, 0.3) : nullptr;
+    return second ? std::vector{first->edge, second->edge} : std::vector{first->edge};
 }
 
 template <class Real>
@@ -293,7 +298,7 @@ void Tear<Real>::settle(State<Real>& state, Drawer<Real>& kept, double t, double
     if (tearing_.needle) {
         const int v = pierced(state, tearing_.needle(t - h), tearing_.needle(t));
         if (v >= 0 && !cuts_.isHeld(cuts_.original(v)))
-            failing.insert(failing.begin(), {infinity, v, bearing(state, v).direction, {}});
+            failing.insert(failing.begin(), {infinity, v, bearing(state, v).normal, {}});
     }
     if (failing.empty()) return;
     Cuts cuts = cuts_;

@@ -26,14 +26,17 @@ public:
     void apply(State<Real>& state, double t, double h, Workers& workers) override;
     void settle(State<Real>& state, Drawer<Real>& kept, double t, double h) override;
 
-    // Where a sheet is by now: J/m, along which way at rest, of a tear that ended at this vertex.
+    // What a tear that ends at this vertex sets free a length, along its way at rest: J/m.
     Vec<double> drive(const State<Real>& state, int vertex) const;
-    // Pa and, of unit length at rest, its direction: what the triangles of a vertex bear most.
+    // The greatest force on an area at rest, in the mean of the triangles around a vertex, and the
+    // normal of that area at rest: Pa.
     struct Bearing {
         double force = 0;
-        Vec<double> direction{};
+        Vec<double> normal{};
     };
-    Bearing bearing(const State<Real>& state, int vertex) const;
+    Bearing bearing(const State<Real>& state, int vertex) const {
+        return bearing(state, vertex, sites_[static_cast<std::size_t>(vertex)].triangles);
+    }
 
 private:
     // Two that were one.
@@ -45,13 +48,20 @@ private:
     struct Failing {
         double times;  // of what it bears
         int vertex;
-        Vec<double> across;  // of unit length, at rest: what pulls, or 0
-        Vec<double> along;   // likewise, where a tear goes on
+        Vec<double> normal;  // of the section that bears most, at rest
+        Vec<double> ahead;   // of the end of a tear, at rest: where it would go straight on
     };
 
+    // Triangles within `ring` edges of a vertex, and how many each of the vertices there is away.
+    struct Disc {
+        std::vector<int> vertices, steps, triangles;
+    };
+    Disc discAt(int vertex) const;
+    Bearing bearing(const State<Real>& state, int vertex, std::span<const int> triangles) const;
     std::array<Vec<double>, 3> placesOf(const State<Real>& state, int triangle) const;
     double costOf(int edge) const;
     void findLips();
+    bool mayGoOn(const Drawer<Real>& kept, const Site& site, double t) const;
     void findFailing(const State<Real>& state, const Drawer<Real>& kept, double t,
                      std::vector<Failing>& failing) const;
     int pierced(const State<Real>& state, const Vec<double>& from, const Vec<double>& to) const;
@@ -69,6 +79,7 @@ private:
     double waveSpeed_ = 0;  // m/s, of shear waves at rest
     Drawer<Real>* kept_ = nullptr;
     double from_ = 0;  // s, of the frame
+    double h_ = 0;     // s
 };
 
 extern template class Tear<float>;
