@@ -35,6 +35,7 @@ public:
     const SimplicialComplex& whole() const { return whole_; }
     bool isCut(int edge) const { return cut_[static_cast<std::size_t>(edge)] != 0; }
     bool isHeld(int vertex) const { return held_[static_cast<std::size_t>(vertex)] != 0; }
+    bool isApart(int vertex) const { return apart_[static_cast<std::size_t>(vertex)] != 0; }
     // The edges that are cut, in order.
     std::span<const int> order() const { return order_; }
     // In the order in which they came; in one of several fans, later copies are of the first.

@@ -205,6 +205,13 @@ bool Tear<Real>::mayGoOn(const Drawer<Real>& kept, const Site& site, double t) c
 template <class Real>
 void Tear<Real>::findFailing(const State<Real>& state, const Drawer<Real>& kept, double t,
                              std::vector<Failing>& failing) const {
+    // What lies about the end of a tear is left to that; lips do not tear again, since what snaps
+    // back along them would shatter what is under stress (Marder, "Supersonic rupture of rubber",
+    // 2006, has to toughen them as well).
+    std::vector<unsigned char> led(sites_.size());
+    for (int v = tearing_.cloth.first; v < tearing_.cloth.last; ++v)
+        if (sites_[v].endsTear())
+            for (const int near : discAt(v).vertices) led[near] = 1;
     for (int v = tearing_.cloth.first; v < tearing_.cloth.last; ++v) {
         const Site& site = sites_[v];
         const int whole = cuts_.original(v);
@@ -219,7 +226,8 @@ void Tear<Real>::findFailing(const State<Real>& state, const Drawer<Real>& kept,
                 length(drive(state, v)) / (tearing_.toughness * parts_[whole] * thickness);
             if (times > 1)
                 failing.push_back({times, v, bearing(state, v, discAt(v).triangles).normal, ahead});
-        } else if (tearing_.strength < infinity) {
+        } else if (tearing_.strength < infinity &&
+                   (site.endsTear() || !(led[v] || cuts_.isApart(whole)))) {
             const Bearing most = bearing(state, v);
             const double times = most.force / (tearing_.strength * parts_[whole]);
             if (times > 1) failing.push_back({times, v, most.normal, ahead});
