@@ -14,7 +14,7 @@ struct Format {
     const char* magic;  // 8 characters
     std::uint32_t version;
 };
-constexpr Format frameFormat{"plaitfrm", 1}, checkpointFormat{"plaitchk", 5};
+constexpr Format frameFormat{"plaitfrm", 2}, checkpointFormat{"plaitchk", 6};
 
 class Writer {
 public:
@@ -107,7 +107,7 @@ std::vector<Vec<double>> getVectors(Reader& reader, int count) {
 std::string encodeFrame(const RunFrame& frame, int size) {
     Writer writer(frameFormat, static_cast<std::size_t>(size));
     for (const std::size_t n : {static_cast<std::size_t>(frame.number), frame.positions.size(),
-                                frame.metrics.size(), frame.ids.size()})
+                                frame.metrics.size(), frame.ids.size(), frame.cuts.size()})
         writer.put(static_cast<std::int32_t>(n));
     writer.put(frame.time);
     writer.put(static_cast<std::int64_t>(frame.evaluations));
@@ -119,6 +119,7 @@ std::string encodeFrame(const RunFrame& frame, int size) {
     writer.put(frame.touched);
     writer.put(frame.ids);
     writer.put(frame.ages);
+    writer.put(frame.cuts);
     return writer.finish();
 }
 
@@ -127,7 +128,7 @@ RunFrame decodeFrame(const std::string& bytes, const std::string& name) {
     RunFrame frame;
     frame.number = reader.get<std::int32_t>();
     const int vertices = reader.get<std::int32_t>(), metrics = reader.get<std::int32_t>();
-    const int comers = reader.get<std::int32_t>();
+    const int comers = reader.get<std::int32_t>(), cuts = reader.get<std::int32_t>();
     frame.time = reader.get<double>();
     frame.evaluations = reader.get<std::int64_t>();
     frame.seconds = reader.get<double>();
@@ -138,6 +139,7 @@ RunFrame decodeFrame(const std::string& bytes, const std::string& name) {
     frame.touched = reader.get<std::uint8_t>(vertices);
     frame.ids = reader.get<std::int32_t>(comers);
     frame.ages = reader.get<double>(comers);
+    frame.cuts = reader.get<std::int32_t>(cuts);
     return frame;
 }
 
@@ -154,7 +156,7 @@ std::string encodeCheckpoint(const Checkpoint<Real>& checkpoint) {
         writer.put(array);
     };
     State<Real>::forArrays(state, put);
-    put(state.id), put(state.born);
+    put(state.id), put(state.born), put(state.cuts);
     writer.put(static_cast<std::int64_t>(state.kept.size()));
     for (const Drawer<Real>& drawer : state.kept) {
         put(drawer.numbers);
@@ -177,7 +179,7 @@ Checkpoint<Real> decodeCheckpoint(const std::string& bytes, const std::string& n
         array = reader.get<T>(reader.get<std::int64_t>());
     };
     State<Real>::forArrays(state, take);
-    take(state.id), take(state.born);
+    take(state.id), take(state.born), take(state.cuts);
     const auto drawers = reader.get<std::int64_t>();
     for (std::int64_t i = 0; i < drawers; ++i) {
         Drawer<Real>& drawer = state.kept.emplace_back();

@@ -1,20 +1,20 @@
 // A frame of a run, and how frames and the solver's state stand in the cache.
 //
-// Both files begin with eight letters, the format's version (uint32: 1 of a frame, 5 of a
+// Both files begin with eight letters, the format's version (uint32: 2 of a frame, 6 of a
 // checkpoint) and the bytes of a number (uint32: 4 or 8), and end with a hash (uint64,
 // core/measure/hash.h) of all bytes before it. Bytes run from the lowest; a number is a float or a
 // double by the precision of the run.
 //
-//   cache/00012.frame  "plaitfrm", then int32 frame, vertices, metrics, and how many have an
-//                      id and an age: as many, or 0 where nothing comes or goes; float64 time in s;
+//   cache/00012.frame  "plaitfrm", then int32 frame, vertices, metrics, how many have an id and an
+//                      age: as many, or 0 where nothing comes or goes, and cuts; float64 time in s;
 //                      int64 evaluations so far; float64 seconds that it took; float64 a metric;
 //                      then three numbers a vertex: positions in m, then velocities in m/s; then
-//                      a byte a vertex: 1 where a contact pushed it; then int32 an id, and float64
-//                      an age in s.
+//                      a byte a vertex: 1 where a contact pushed it; then int32 an id, float64 an
+//                      age in s, and int32 a cut, an edge of the world's complex.
 //   cache/checkpoint   "plaitchk", then int32 frame; int64 substep, evaluations; int32 past;
-//                      then the arrays of core/state.h, in their order, ids and births last, each
-//                      after its length (int64); then the number of drawers (int64), and of each
-//                      its numbers and its integers (int32), likewise.
+//                      then the arrays of core/state.h, in their order, ids, births and cuts
+//                      last, each after its length (int64); then the number of drawers (int64), and
+//                      of each its numbers and its integers (int32), likewise.
 #pragma once
 
 #include <plait/numbers/math.h>
@@ -37,6 +37,8 @@ struct RunFrame {
     // Of sources, as Snapshot has them; empty where nothing comes or goes.
     std::vector<std::int32_t> ids = {};
     std::vector<double> ages = {};  // s
+    // Edges that have come apart by then, in order (State::cuts).
+    std::vector<std::int32_t> cuts = {};
 };
 
 // Bytes of a frame file whose numbers have `size` bytes.

@@ -41,9 +41,10 @@ public:
                        .velocities = solver_.velocities(),
                        .touched = touched(),
                        .ids = solver_.state().id,
-                       .ages = solver_.ages()};
+                       .ages = solver_.ages(),
+                       .cuts = solver_.state().cuts};
         const Snapshot snapshot{frame.positions,    frame.velocities, frame.time, frame.number,
-                                solver_.failures(), frame.ids,        frame.ages};
+                                solver_.failures(), frame.ids,        frame.ages, frame.cuts};
         for (const Metric& metric : run_.scene.metrics)
             frame.metrics.push_back(metric.measure(snapshot));
         for (auto* vectors : {&frame.positions, &frame.velocities})

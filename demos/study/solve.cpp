@@ -137,8 +137,12 @@ private:
         recording.violationMean.push_back(strain.mean);
         recording.violationRms.push_back(strain.rms);
         const std::vector<Vec<double>> velocities = solver_.velocities();
-        const Snapshot snapshot{recording.positions.back(), velocities, solver_.time(), frame,
-                                solver_.failures()};
+        const Snapshot snapshot{.positions = recording.positions.back(),
+                                .velocities = velocities,
+                                .time = solver_.time(),
+                                .frame = frame,
+                                .failures = solver_.failures(),
+                                .cuts = solver_.state().cuts};
         recording.metrics.emplace_back();
         for (const Metric& metric : run_.scene.metrics)
             recording.metrics.back().push_back(metric.measure(snapshot));

@@ -76,12 +76,15 @@ TEMPLATE_TEST_CASE("a checkpoint goes on with the same bits, in every scene",
     }
 }
 
-TEST_CASE("a checkpoint keeps every drawer", "[program]") {
+TEST_CASE("a checkpoint keeps every drawer and every cut", "[program]") {
     Checkpoint<float> checkpoint;
     checkpoint.state.particles.resize(4);
     checkpoint.state.velocity.resize(4);
     checkpoint.state.kept = {{.numbers = {}, .integers = {1, 0, 10}},
                              {.numbers = {2}, .integers = {}}};
+    checkpoint.state.id = {0, 0, 2};
+    checkpoint.state.born = {0, 0, 7};
+    checkpoint.state.cuts = {9, 4};
     const std::string bytes = encodeCheckpoint(checkpoint);
     const State<float> state = decodeCheckpoint<float>(bytes, "it").state;
     CHECK(state.particles.size() == 4);
@@ -90,6 +93,36 @@ TEST_CASE("a checkpoint keeps every drawer", "[program]") {
     REQUIRE(state.kept.size() == 2);
     CHECK(state.kept[0].integers == std::vector<std::int32_t>{1, 0, 10});
     CHECK(state.kept[1].numbers == std::vector<float>{2});
+    CHECK(state.id == checkpoint.state.id);
+    CHECK(state.born == checkpoint.state.born);
+    CHECK(state.cuts == checkpoint.state.cuts);
+}
+
+TEST_CASE("a frame is read as it was written, cuts and all", "[program]") {
+    const RunFrame frame{.number = 12,
+                         .time = 0.5,
+                         .evaluations = 1L << 40,
+                         .seconds = 0.25,
+                         .metrics = {1.0 / 3, -2},
+                         .positions = {{1, 2, 3}, {0.5, -0.25, 4}},
+                         .velocities = {{0, -1, 0}, {8, 0, 0.125}},
+                         .touched = {0, 1},
+                         .ids = {0, -1},
+                         .ages = {0.5, -1},
+                         .cuts = {7, 3, 5}};
+    for (const int size : {4, 8}) {
+        const RunFrame back = decodeFrame(encodeFrame(frame, size), "it");
+        CHECK(back.number == frame.number);
+        CHECK(back.time == frame.time);
+        CHECK(back.evaluations == frame.evaluations);
+        CHECK(back.seconds == frame.seconds);
+        CHECK(back.metrics == frame.metrics);
+        CHECK((back.positions == frame.positions && back.velocities == frame.velocities));
+        CHECK(back.touched == frame.touched);
+        CHECK(back.ids == frame.ids);
+        CHECK(back.ages == frame.ages);
+        CHECK(back.cuts == frame.cuts);
+    }
 }
 
 TEST_CASE("a state of another world is not restored", "[program]") {
