@@ -68,12 +68,14 @@ Renderer::Renderer(const Scene& scene, const RenderOptions& options)
     key_ = lightDirection(pose, -50, 42);
     fill_ = lightDirection(pose, 65, 18);
     rim_ = lightDirection(pose, 150, 38);
+    pixel_ = pixelAt(pose);
+    prepareTears(scene);
     for (const Look& look : view_.looks) {
         if (look.material == Material::water) {
             if (water_) throw std::invalid_argument("view: more than one look is of water");
             water_.emplace(look, prologue_, options.width, options.height);
         }
-        addSkin(Skin(scene.world.complex, scene.world.rest, look, pixelAt(pose)));
+        addSkin(Skin(scene.world, look, pixel_));
     }
     for (const Prop& prop : view_.props) addSkin(Skin(prop));
 }
@@ -88,8 +90,7 @@ void Renderer::addSkin(Skin skin) {
     GpuMesh mesh{makeVertexArray(), makeBuffer(), makeBuffer(), 0, {}, 1};
     glBindVertexArray(mesh.array);
     bindVertices(mesh.vertices);
-    uploadTriangles(mesh.triangles, skin.triangles(), GL_STATIC_DRAW);
-    mesh.corners = static_cast<int>(3 * skin.triangles().size());
+    showTriangles(mesh, skin);
     if (skin.printed()) {
         const Emblem emblem = makeEmblem(skin.size().x / skin.size().y);
         mesh.period = emblem.period * skin.size().y;
@@ -100,6 +101,12 @@ void Renderer::addSkin(Skin skin) {
     if (isTranslucent(skin) && !netDepth_) netDepth_ = Program(depthVertexShader, netDepthShader);
     skins_.push_back(std::move(skin));
     meshes_.push_back(std::move(mesh));
+}
+
+void Renderer::showTriangles(GpuMesh& mesh, const Skin& skin) {
+    glBindVertexArray(mesh.array);
+    uploadTriangles(mesh.triangles, skin.triangles(), GL_STATIC_DRAW);
+    mesh.corners = static_cast<int>(3 * skin.triangles().size());
 }
 
 bool Renderer::isVeil(const Skin& skin) {
@@ -179,6 +186,7 @@ void Renderer::expose(const Moment& moment, const Overlay* overlay, const Camera
 }
 
 void Renderer::update(const Moment& moment, const Overlay* overlay, const Shot& shot) {
+    tear(moment.cuts);
     const Lens lens{shot.pose.eye, shot.pose.forward(),
                     2 * std::tan(shot.pose.fieldOfView / 2) / static_cast<float>(options_.height)};
     std::vector<glm::vec3> tints;

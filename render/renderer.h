@@ -30,8 +30,8 @@ struct RenderOptions {
     GlChoice gl = GlChoice::automatic;
 };
 
-// Owns its context. Any thread may draw, one at a time. The same positions, time and overlay give
-// the same bits, whatever was drawn before and however many threads Mesa uses.
+// Owns its context. Any thread may draw, one at a time. The same moment and overlay give the same
+// bits, whatever was drawn before and however many threads Mesa uses.
 class Renderer {
 public:
     // Throws std::invalid_argument for a size below 16 by 16 and for a view without camera or with
@@ -79,6 +79,10 @@ private:
     void expose(const Moment& moment, const Overlay* overlay, const CameraPose* chosen,
                 const glm::vec2& aside);
     void addSkin(Skin skin);
+    static void showTriangles(GpuMesh& mesh, const Skin& skin);
+    void prepareTears(const Scene& scene);
+    // Makes anew the skins of what has come apart by other cuts than they are made of.
+    void tear(std::span<const std::int32_t> cuts);
     void prepareGround();
     void update(const Moment& moment, const Overlay* overlay, const Shot& shot);
     void findSubject(const Shot& shot);
@@ -112,6 +116,9 @@ private:
     Context context_;
     std::vector<Skin> skins_;  // looks first, then props
     std::vector<GpuMesh> meshes_;
+    std::optional<World> whole_;      // none: nothing in it may tear
+    std::vector<std::int32_t> cuts_;  // that skins are made of
+    float pixel_ = 0;                 // m, that it shows where the view's first camera looks
     std::map<std::string, Program> surfaces_;  // by #defines and family, made when first needed
     std::string prologue_;                     // of every shader that knows the stage
     Program depth_, netDepth_, backdrop_, ground_;

@@ -89,6 +89,7 @@ struct PointLook {
 // directors have, at least 1.5 pixels wide and fainter where they are thinner, and darker where
 // turns lie close. Wires are of metal, rubber or matte.
 struct Look {
+    // Of what may tear all of it: spare vertices look as what they become copies of.
     Range object;
     Material material = Material::silk;
     std::array<double, 3> color{0.578, 0.032, 0.014};  // linear; vermilion

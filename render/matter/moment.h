@@ -16,6 +16,7 @@ struct Moment {
     std::span<const std::int32_t> ids = {};
     std::span<const double> ages = {};
     std::span<const Vec<double>> velocities = {};  // m/s; empty: nothing moves
+    std::span<const std::int32_t> cuts = {};       // edges that have come apart (State::cuts)
 };
 
 }  // namespace plait

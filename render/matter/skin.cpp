@@ -1,6 +1,7 @@
 #include "skin.h"
 
 #include "directions.h"
+#include "outer_triangles.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -20,31 +21,6 @@ glm::vec3 toGlm(const std::array<double, 3>& v) { return toGlm(Vec<double>{v[0],
 
 constexpr glm::vec3 up{0, 1, 0};  // where a direction vanishes
 
-bool inside(std::span<const int> vertices, Range range) {
-    return std::ranges::all_of(vertices, [&](int v) { return range.first <= v && v < range.last; });
-}
-
-// The triangles that are seen, vertices counted from the start of the range: those between two
-// tetrahedra are not, those of one look away from it.
-std::vector<std::array<int, 3>> outerTriangles(const SimplicialComplex& complex,
-                                               std::span<const Vec<double>> rest, Range range) {
-    const Csr parents = complex.parents(2);
-    std::vector<std::array<int, 3>> triangles;
-    for (int i = 0; i < complex.count(2); ++i) {
-        if (!inside(complex.vertices(2, i), range) || parents[i].size() > 1) continue;
-        auto t = complex.triangle(i);
-        if (parents[i].size() == 1) {
-            Vec<double> center{0, 0, 0};
-            for (const int v : complex.vertices(3, parents[i][0])) center += 0.25 * rest[v];
-            const auto normal = cross(rest[t[1]] - rest[t[0]], rest[t[2]] - rest[t[0]]);
-            if (dot(normal, center - rest[t[0]]) > 0) std::swap(t[1], t[2]);
-        }
-        for (int& v : t) v -= range.first;
-        triangles.push_back(t);
-    }
-    return triangles;
-}
-
 // Pixels, of an edge. A rasteriser in software shades blocks of 4 by 4 for each triangle that
 // touches them: of smaller triangles it draws a picture several times over.
 constexpr float widestFacet = 10;
@@ -59,14 +35,15 @@ float meanEdge(std::span<const Vec<double>> x, std::span<const std::array<int, 3
 
 }  // namespace
 
-Skin::Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, const Look& look,
-           float pixel)
+Skin::Skin(const World& world, const Look& look, float pixel)
     : range_(look.object),
       material_(look.material),
       color_(toGlm(look.color)),
       printed_(look.print == "plait"),
       radius_(static_cast<float>(look.radius)),
       pointLook_(look.point) {
+    const SimplicialComplex& complex = world.complex;
+    const std::span<const Vec<double>> rest = world.rest;
     if (range_.first < 0 || range_.last > complex.count(0) || range_.size() < 1)
         throw std::invalid_argument("look: its object is not a range of the world's vertices");
     for (const std::size_t n : {look.uv.size(), look.colors.size(), look.satin.size()})
@@ -75,23 +52,31 @@ Skin::Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, 
                 "look: needs as many uv, colors or satin as the object has vertices");
     addSurface(complex, rest, look, pixel);
 
-    const Csr triangles = complex.parents(1), edgesAt = complex.parents(0);
+    const Csr triangles = complex.parents(1);
     std::vector<std::array<int, 2>> edges;
     std::vector<char> covered(static_cast<std::size_t>(range_.size()));
     for (int i = 0; i < complex.count(1); ++i) {
         const auto ends = complex.vertices(1, i);
-        if (!inside(ends, range_)) continue;
+        if (!liesIn(ends, range_)) continue;
         for (const int v : ends) covered[v - range_.first] = 1;
         if (triangles[i].empty()) edges.push_back({ends[0] - range_.first, ends[1] - range_.first});
     }
+    // Copies are corners of triangles, or not there yet.
+    for (const Tearable& tearable : world.tearable)
+        for (int v = tearable.spare.first; v < tearable.spare.last; ++v)
+            if (liesIn({&v, 1}, range_)) covered[v - range_.first] = 1;
     curves_ = polylines(edges, range_.size());
     if (look.section.along > 0) addWire(rest, look, pixel);
-    for (int i = 0; i < range_.size() && look.radius > 0 && facets_.empty(); ++i)
+    if (look.radius > 0) addBalls(covered);
+    update({rest});
+}
+
+void Skin::addBalls(std::span<const char> covered) {
+    for (int i = 0; i < range_.size() && facets_.empty(); ++i)
         if (!covered[i] && material_ != Material::water) balls_.push_back(i);
     // A hundred thousand need not be as round.
     constexpr std::size_t many = 10'000;
     if (!balls_.empty()) ball_ = sphere({.subdivisions = balls_.size() < many ? 2 : 1});
-    update({rest});
 }
 
 void Skin::addWire(std::span<const Vec<double>> rest, const Look& look, float pixel) {

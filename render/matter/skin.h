@@ -10,6 +10,8 @@
 #include "subdivision.h"
 #include "wire_skin.h"
 
+#include <plait/world.h>
+
 #include <array>
 #include <optional>
 #include <span>
@@ -18,14 +20,13 @@
 namespace plait {
 
 // Triangles are smoothed and, where they are wide, divided once (unless they bound tetrahedra);
-// edges without triangles become tubes or wires, points without edges balls. Simplices belong to
-// the object if all their vertices do.
+// edges without triangles become tubes or wires, points without edges balls, unless copies may be
+// made of them where matter tears. Simplices belong to the object if all their vertices do.
 class Skin {
 public:
     // `pixel`: m, that a pixel shows of the object. Throws std::invalid_argument if `look` has a
-    // range outside the complex or a wrong number of uv, colours or satin.
-    Skin(const SimplicialComplex& complex, std::span<const Vec<double>> rest, const Look& look,
-         float pixel);
+    // range outside the world or a wrong number of uv, colours or satin.
+    Skin(const World& world, const Look& look, float pixel);
     // A thing that keeps its shape; its edges are sharp from 40 degrees on. Throws
     // std::invalid_argument for a wrong number of `hollow`.
     explicit Skin(const Prop& prop);
@@ -61,6 +62,7 @@ private:
     void updateSurface(bool tinted);
     void updateStretch();
     void addWire(std::span<const Vec<double>> rest, const Look& look, float pixel);
+    void addBalls(std::span<const char> covered);
     void updateCurves();
     void updateBalls(bool tinted, const Moment& moment);
     void updateWire(WireSkin& wire, std::span<const Vec<double>> positions, const Lens& lens);
