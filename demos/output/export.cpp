@@ -31,17 +31,22 @@ std::string titleOf(const Run& run, const RunFrame& frame) {
            text(frame.time) + " s, " + text(run.frameRate()) + " frames/s, metres, y up";
 }
 
+// As it hangs together in a frame.
+SimplicialComplex complexIn(const Run& run, const RunFrame& frame) {
+    const World& world = run.scene.world;
+    return frame.cuts.empty() ? world.complex : world.tornBy(frame.cuts).complex;
+}
+
 void exportPc2(const RunFolder& folder, const Run& run, int last) {
-    const SimplicialComplex& complex = run.scene.world.complex;
     WholeFile points(folder.exportPath("points.pc2")), mesh(folder.exportPath("points.obj"));
-    std::string bytes = pc2Header(complex.count(0), last + 1);
+    std::string bytes = pc2Header(run.scene.world.complex.count(0), last + 1);
     for (int i = 0; i <= last; ++i) {
         putPoints(bytes, folder.frame(i).positions);
         points.write(std::as_bytes(std::span(bytes)));
         bytes.clear();
     }
     const RunFrame start = folder.frame(0);
-    bytes = objOf(complex, start.positions, titleOf(run, start));
+    bytes = objOf(complexIn(run, start), start.positions, titleOf(run, start));
     mesh.write(std::as_bytes(std::span(bytes)));
     points.commit();
     mesh.commit();
@@ -61,7 +66,7 @@ void exportRun(const RunFolder& folder, const Run& run, int last, const std::str
     for (int i = 0; i <= last; ++i) {
         const RunFrame frame = folder.frame(i);
         writeWhole(folder.exportPath(numbered(i, "." + format)),
-                   write(run.scene.world.complex, frame.positions, titleOf(run, frame)));
+                   write(complexIn(run, frame), frame.positions, titleOf(run, frame)));
     }
 }
 

@@ -1,9 +1,9 @@
 // A run for other programs: a sequence of meshes, or a point cache.
 //
-//   obj, ply  export/00000.obj ...: a mesh a frame, from the start on; triangles, and edges that no
-//             triangle has
+//   obj, ply  export/00000.obj ...: a mesh a frame, from the start on; triangles, torn as they are
+//             in that frame, and edges that no triangle has
 //   pc2       export/points.pc2: every vertex of every frame, and export/points.obj, the mesh they
-//             belong to
+//             belong to at the start
 //
 // Metres, y up, as the solver has them.
 #pragma once

@@ -33,40 +33,55 @@ const std::vector<std::string>& overlayNames() {
 }
 
 Overlays::Overlays(const Run& run, const std::string& name)
-    : name_(name), vertices_(run.scene.world.complex.count(0)) {
-    const World& world = run.scene.world;
+    : whole_(run.scene.world), name_(name), edges_(edgesOf(whole_)) {
     std::vector<int> ids;
-    for (int i = 0; i < world.complex.count(1); ++i) {
-        edges_.push_back(world.complex.edge(i));
-        const auto [a, b] = edges_.back();
-        rest_.push_back(length(world.rest[static_cast<std::size_t>(b)] -
-                               world.rest[static_cast<std::size_t>(a)]));
-        ids.insert(ids.end(), {a, b});
-    }
-    colors_.assign(static_cast<std::size_t>(vertices_), 0);
-    const std::vector<int> colors = greedyColors(ids, 2, vertices_);
+    for (const auto& [a, b] : edges_.ends) ids.insert(ids.end(), {a, b});
+    colors_.assign(whole_.rest.size(), 0);
+    const std::vector<int> colors = greedyColors(ids, 2, whole_.complex.count(0));
     for (std::size_t i = colors.size(); i-- > 0;)
-        colors_[static_cast<std::size_t>(edges_[i][0])] = static_cast<float>(colors[i]);
-    high_ = name == "velocity" ? speedScale(world.start) : name == "strain" ? strainHigh : 1;
+        colors_[static_cast<std::size_t>(edges_.ends[i][0])] = static_cast<float>(colors[i]);
+    high_ = name == "velocity" ? speedScale(whole_.start) : name == "strain" ? strainHigh : 1;
+}
+
+Overlays::Edges Overlays::edgesOf(const World& world) {
+    Edges edges;
+    for (int i = 0; i < world.complex.count(1); ++i) {
+        const auto [a, b] = edges.ends.emplace_back(world.complex.edge(i));
+        edges.rest.push_back(length(world.rest[static_cast<std::size_t>(b)] -
+                                    world.rest[static_cast<std::size_t>(a)]));
+    }
+    return edges;
+}
+
+// The most of the edges at a vertex.
+void Overlays::showStrain(const Edges& edges, const RunFrame& frame, std::vector<float>& values) {
+    const std::vector<double> strain = strains(frame.positions, edges.ends, edges.rest);
+    for (std::size_t i = 0; i < strain.size(); ++i)
+        for (const int v : edges.ends[i]) {
+            float& most = values[static_cast<std::size_t>(v)];
+            most = std::max(most, static_cast<float>(100 * std::fabs(strain[i])));
+        }
 }
 
 Overlay Overlays::of(const RunFrame& frame) const {
-    Overlay overlay{.values = std::vector<float>(static_cast<std::size_t>(vertices_), 0),
+    Overlay overlay{.values = std::vector<float>(whole_.rest.size(), 0),
                     .low = 0,
                     .high = high_,
                     .palette = legend().palette};
     if (name_ == "strain") {
-        const std::vector<double> strain = strains(frame.positions, edges_, rest_);
-        for (std::size_t i = 0; i < edges_.size(); ++i)
-            for (const int v : edges_[i]) {
-                float& most = overlay.values[static_cast<std::size_t>(v)];
-                most = std::max(most, static_cast<float>(100 * std::fabs(strain[i])));
-            }
+        if (frame.cuts.empty())
+            showStrain(edges_, frame, overlay.values);
+        else
+            showStrain(edgesOf(whole_.tornBy(frame.cuts)), frame, overlay.values);
     } else if (name_ == "velocity") {
         for (std::size_t i = 0; i < overlay.values.size(); ++i)
             overlay.values[i] = static_cast<float>(length(frame.velocities[i]));
     } else if (name_ == "colours") {
         overlay.values = colors_;
+        if (frame.cuts.empty()) return overlay;
+        const World torn = whole_.tornBy(frame.cuts);
+        for (const Split& split : torn.torn->splits())
+            overlay.values[split.copy] = colors_[torn.torn->original(split.copy)];
     } else if (name_ == "contacts") {
         overlay.values.assign(frame.touched.begin(), frame.touched.end());
     }

@@ -13,12 +13,12 @@
 namespace plait {
 
 // "none", "strain", "velocity", "colours" (of the batches that its first edge's constraint would be
-// in), "contacts".
+// in, which tears do not change), "contacts".
 const std::vector<std::string>& overlayNames();
 
 class Overlays {
 public:
-    // `name` is one of the above.
+    // `name` is one of the above. `run` must live as long.
     Overlays(const Run& run, const std::string& name);
 
     bool none() const { return name_ == "none"; }
@@ -26,12 +26,18 @@ public:
     Legend legend() const;
 
 private:
+    struct Edges {
+        std::vector<std::array<int, 2>> ends;
+        std::vector<double> rest;  // m
+    };
+    static Edges edgesOf(const World& world);
+    static void showStrain(const Edges& edges, const RunFrame& frame, std::vector<float>& values);
+
+    const World& whole_;
     std::string name_;
-    std::vector<std::array<int, 2>> edges_;
-    std::vector<double> rest_;   // m, by edge
+    Edges edges_;                // of the whole
     std::vector<float> colors_;  // by vertex
     float high_ = 1;
-    int vertices_;
 };
 
 }  // namespace plait

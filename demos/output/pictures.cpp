@@ -4,6 +4,7 @@
 #include "demos/tools/interrupt.h"
 #include "demos/tools/pipe.h"
 #include "demos/tools/words.h"
+#include "exposure.h"
 #include "film.h"
 #include "inset_trail.h"
 #include "overlays.h"
@@ -49,30 +50,6 @@ Settings wordsOf(const PictureOptions& options) {
     }
     return settings;
 }
-
-// Moments of half a frame's time, as a film camera has it, up to `frame`, and what keeps them: on
-// straight ways from the frame before. What has come since has flown here as it flies.
-struct Exposure {
-    Exposure(const RunFrame& before, const RunFrame& frame, int moments) {
-        constexpr double open = 0.5;
-        positions.reserve(static_cast<std::size_t>(moments));
-        for (int i = 0; i < moments; ++i) {
-            const double s = 1 - open * (moments - 1 - i) / moments;
-            std::vector<Vec<double>> x = frame.positions;
-            for (std::size_t v = 0; v < x.size(); ++v)
-                if (before.ids.empty() || before.ids[v] == frame.ids[v])
-                    x[v] = (1 - s) * before.positions[v] + s * frame.positions[v];
-                else
-                    x[v] -= (1 - s) * (frame.time - before.time) * frame.velocities[v];
-            positions.push_back(std::move(x));
-            all.push_back({positions.back(), (1 - s) * before.time + s * frame.time, frame.ids,
-                           frame.ages, frame.velocities});
-        }
-    }
-
-    std::vector<std::vector<Vec<double>>> positions;
-    std::vector<Moment> all;
-};
 
 std::string numbersOf(const Run& run, const RunFrame& frame) {
     const auto rounded = [](const char* format, double value) {
@@ -262,10 +239,9 @@ Picture Pictures::Work::drawn(Renderer& lens, int number, const RunFrame& frame,
     const Overlay overlay = overlays.of(frame);
     const Overlay* const colors = overlays.none() ? nullptr : &overlay;
     const CameraPose* const chosen = pose ? &*pose : nullptr;
-    return before
-               ? lens.draw(Exposure(*before, frame, options.subframes).all, colors, chosen)
-               : lens.draw({frame.positions, frame.time, frame.ids, frame.ages, frame.velocities},
-                           colors, chosen);
+    return before ? lens.draw(Exposure(run.scene.world, *before, frame, options.subframes).all,
+                              colors, chosen)
+                  : lens.draw(momentOf(frame), colors, chosen);
 }
 
 Picture Pictures::Work::finished(const Drawn& drawn) const {

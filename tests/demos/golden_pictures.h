@@ -5,6 +5,7 @@
 //   frame.png  frame `early`, simulated and drawn
 #pragma once
 
+#include "demos/output/exposure.h"
 #include "demos/runs/run_frame.h"
 #include "demos/runs/settings.h"
 #include "render/camera.h"
@@ -80,10 +81,6 @@ std::filesystem::path goldenFolder(const std::filesystem::path& root, const std:
 Run goldenRun(const std::string& scene);
 // Frame `number` of it; the seconds that it took are 0, so that equal frames have equal bytes.
 RunFrame simulated(const Run& run, int number);
-
-inline Moment momentOf(const RunFrame& frame) {
-    return {frame.positions, frame.time, frame.ids, frame.ages, frame.velocities};
-}
 
 // The picture in a file; one without pixels where there is none.
 Picture goldenPicture(const std::filesystem::path& path);
