@@ -111,10 +111,17 @@ World World::releasedBy(double time) const {
     return free;
 }
 
+Cuts World::uncut() const {
+    std::vector<unsigned char> held = pinned;
+    for (const Release& release : releases)
+        for (const int v : release.vertices) held[v] = 1;
+    return Cuts(complex, tearable, held);
+}
+
 World World::tornBy(std::span<const std::int32_t> edges) const {
     World now = *this;
     if (edges.empty()) return now;
-    const auto cuts = std::make_shared<Cuts>(complex, tearable, pinned);
+    const auto cuts = std::make_shared<Cuts>(uncut());
     for (const std::int32_t edge : edges) cuts->cut(edge);
     now.complex = cuts->torn();
     for (const auto& [vertex, copy, cut] : cuts->splits()) {
@@ -195,6 +202,14 @@ void World::checkThere(const std::string& set, std::span<const int> vertices) co
         if (isSpare(v))
             throw std::invalid_argument(set + ": vertex " + std::to_string(v) +
                                         " is not there from the start");
+}
+
+void World::checkWhole(const std::string& set, std::span<const int> vertices) const {
+    for (const auto& [matter, ignored] : tearable)
+        for (const int v : vertices)
+            if (matter.first <= v && v < matter.last)
+                throw std::invalid_argument(set + ": vertex " + std::to_string(v) +
+                                            " may come apart, which this set cannot follow");
 }
 
 void World::sweepOut() {

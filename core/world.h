@@ -138,6 +138,8 @@ struct World {
     // their vertices do, and have their part of the mass, by rest area. What is made from it knows
     // by `torn` what its vertices are called now.
     World tornBy(std::span<const std::int32_t> edges) const;
+    // How it comes apart, from the first on; what is pinned, now or until a release, does not.
+    Cuts uncut() const;
     // The vertices of `range` whose start satisfies `where`.
     std::vector<int> select(Range range,
                             const std::function<bool(const Vec<double>&)>& where) const;
@@ -166,6 +168,8 @@ struct World {
     // Throws std::invalid_argument, naming the set, for a vertex that is spare: constraints are for
     // what is there from the start (M 3.1.3) [AT21].
     void checkThere(const std::string& set, std::span<const int> vertices) const;
+    // The same for a vertex that may come apart: of sets that cannot follow.
+    void checkWhole(const std::string& set, std::span<const int> vertices) const;
 
     // Takes out sets and forces whose recipe has become empty, {}.
     void sweepOut();

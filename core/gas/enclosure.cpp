@@ -97,12 +97,6 @@ std::vector<std::vector<int>> loopsOf(std::vector<Edge> edges) {
     return loops;
 }
 
-void addCaps(std::vector<Triangle>& triangles) {
-    for (const std::vector<int>& loop : loopsOf(openingsOf(triangles).open))
-        for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-            triangles.push_back({loop[0], loop[i + 1], loop[i]});
-}
-
 // Places of the triangles that hang together by vertices.
 std::vector<std::vector<int>> partsOf(std::span<const Triangle> triangles, std::size_t vertices) {
     std::vector<int> root(vertices), part(vertices, -1);
@@ -144,7 +138,8 @@ Closed closed(std::span<const Vec<double>> positions, const std::vector<Triangle
     Closed part{given, {}};
     faceOutward(positions, part.triangles);
     if (cap && openingsOf(part.triangles).twisted.empty()) {
-        addCaps(part.triangles);
+        for (const auto& fan : fansOver(part.triangles))
+            part.triangles.insert(part.triangles.end(), fan.begin(), fan.end());
         faceOutward(positions, part.triangles);
     }
     std::size_t turned = 0;
@@ -204,6 +199,16 @@ Enclosure enclose(const World& world, const std::vector<Range>& objects,
             triangles.push_back({ids[i], ids[i + 1], ids[i + 2]});
     }
     return enclose(world.rest, std::move(triangles), options);
+}
+
+std::vector<std::vector<Triangle>> fansOver(std::span<const Triangle> triangles) {
+    std::vector<std::vector<Triangle>> fans;
+    for (const std::vector<int>& loop : loopsOf(openingsOf(triangles).open)) {
+        std::vector<Triangle>& fan = fans.emplace_back();
+        for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+            fan.push_back({loop[0], loop[i + 1], loop[i]});
+    }
+    return fans;
 }
 
 double volume(const Enclosure& enclosure, std::span<const Vec<double>> positions) {

@@ -34,6 +34,10 @@ Enclosure enclose(std::span<const Vec<double>> positions, std::vector<std::array
 Enclosure enclose(const World& world, const std::vector<Range>& objects,
                   const EnclosureOptions& options = {});
 
+// What closes the openings of triangles that face outward: for each a fan over its rim.
+std::vector<std::vector<std::array<int, 3>>> fansOver(
+    std::span<const std::array<int, 3>> triangles);
+
 // m^3, above 0 unless it is inside out. Loses nothing far from the origin.
 double volume(const Enclosure& enclosure, std::span<const Vec<double>> positions);
 

@@ -52,8 +52,8 @@ struct Patch {
                   std::array<Vec<double>, 3>& forces, std::array<Block, 6>& blocks) const;
 };
 
-// F = u1 a v1^T + u2 b v2^T of a triangle: its principal stretches, the larger first, and where they
-// point.
+// F = u1 a v1^T + u2 b v2^T of a triangle: its principal stretches, the larger first, and where
+// they point.
 struct Principal {
     double a, b;
     Vec<double> u1, u2, normal;

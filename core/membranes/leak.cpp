@@ -7,12 +7,6 @@ namespace plait {
 namespace {
 
 template <class Real>
-void keep(Real* kept, double amount) {
-    kept[0] = static_cast<Real>(amount);
-    kept[1] = static_cast<Real>(amount - double(kept[0]));
-}
-
-template <class Real>
 Vec<Real> narrow(const Vec<double>& v) {
     return {static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z)};
 }
@@ -33,11 +27,6 @@ Leak::Leak(LeakOptions options, const Gas& gas, std::vector<std::array<int, 3>> 
     for (const auto& t : options_.hole) rim_.insert(rim_.end(), t.begin(), t.end());
     std::ranges::sort(rim_);
     rim_.erase(std::unique(rim_.begin(), rim_.end()), rim_.end());
-}
-
-template <class Real>
-void Leak::furnish(Real* kept) const {
-    keep(kept, gas_.amount);
 }
 
 template <class Real>
@@ -82,8 +71,6 @@ void Leak::flow(State<Real>& state, Real* kept, double h) const {
         state.velocity[v].v += narrow<Real>(part * double(state.particles[v].w) * impulse);
 }
 
-template void Leak::furnish(float*) const;
-template void Leak::furnish(double*) const;
 template void Leak::settle(State<float>&, float*, double, double, double) const;
 template void Leak::settle(State<double>&, double*, double, double, double) const;
 

@@ -34,7 +34,10 @@ public:
     // What is kept: J of what is left, and what rounding lost of that.
     static constexpr int numbers = 2;
     template <class Real>
-    void furnish(Real* kept) const;
+    static void keep(Real* kept, double amount) {
+        kept[0] = static_cast<Real>(amount);
+        kept[1] = static_cast<Real>(amount - double(kept[0]));
+    }
     template <class Real>
     static double left(const Real* kept) {
         return double(kept[0]) + double(kept[1]);

@@ -41,10 +41,12 @@ void holdMembrane(World& world, Membrane membrane, SetOptions options) {
     for (Membrane::Filling& filling : membrane.gases) {
         if (!(volume(filling.enclosure, world.start) > 0))
             refuse("what a gas is in has no volume, or is inside out");
-        if (filling.leak.hole.empty()) continue;
-        if (filling.gas.law != GasLaw::isothermal || !(filling.gas.outside > 0))
-            refuse("what leaks is isothermal, and goes into a gas");
-        ride(world, filling);
+        const bool leaks = !filling.leak.hole.empty();
+        if (leaks && filling.bursts) refuse("what bursts does not leak before");
+        if ((leaks || filling.bursts) &&
+            (filling.gas.law != GasLaw::isothermal || !(filling.gas.outside > 0)))
+            refuse("what leaks or bursts is isothermal, and goes into a gas");
+        if (leaks) ride(world, filling);
     }
     const auto make = [membrane]<class Real>(const World& w,
                                              KernelChoice) -> std::unique_ptr<Constraint<Real>> {

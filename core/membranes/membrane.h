@@ -30,7 +30,8 @@ struct Membrane {
         std::function<double(double t)> amount{};  // J, n R T at t (s); none: the gas's own
         LeakOptions leak{};                        // from when it opens on, `amount` counts no more
         std::vector<double> riding =
-            {};  // kg of gas that leaks, by vertex; holdMembrane() fills it
+            {};               // kg of gas that leaks, by vertex; holdMembrane() fills it
+        bool bursts = false;  // its skin may come apart: from then on it leaves by the openings
     };
 
     Rows<Stretch> springs;  // compliances above 0
@@ -43,8 +44,8 @@ struct Membrane {
 
 // The mass of gas that will leak is added to World::mass. Throws std::invalid_argument, naming the
 // set, for vertices that are not there, triangles without area or thickness, springs without
-// compliance, gas whose volume is not above 0, and a leak of a gas that is not isothermal or into a
-// vacuum.
+// compliance, gas whose volume is not above 0, and a leak or a burst of a gas that is not
+// isothermal or goes into a vacuum.
 void holdMembrane(World& world, Membrane membrane, SetOptions options);
 
 }  // namespace plait

@@ -15,125 +15,28 @@ Vec<double> between(std::span<const Four> x, int a, int b) { return three(x[b] -
 
 }  // namespace
 
-template <class Real>
-MembraneSet<Real>::MembraneSet(const World& world, const Membrane& membrane)
-    : iterations_(membrane.iterations),
-      tolerance_(membrane.tolerance),
-      places_(world.start.size(), -1) {
-    for (int n = 0; n < membrane.springs.size(); ++n) {
-        const auto& row = membrane.springs.rows[n];
-        std::array<int, 2> ends{membrane.springs.ids[2 * n], membrane.springs.ids[2 * n + 1]};
-        if (world.torn && !world.torn->rename(ends)) continue;
-        ends_.push_back({local(ends[0]), local(ends[1])});
-        springs_.push_back({row.rest, 1 / row.compliance, 1 / row.compression});
-    }
-    for (const Membrane::Rubber& rubber : membrane.rubber) {
-        const int law = static_cast<int>(laws_.size());
-        laws_.push_back({rubber.law, rubber.relaxed});
-        for (std::size_t n = 0; n < rubber.triangles.size() / 3; ++n) {
-            std::array<int, 3> v{};
-            std::copy_n(&rubber.triangles[3 * n], 3, v.begin());
-            if (world.torn) world.torn->rename(v);
-            corners_.push_back({local(v[0]), local(v[1]), local(v[2])});
-            const double t = rubber.thickness[rubber.thickness.size() == 1 ? 0 : n];
-            patches_.push_back(
-                {Patch(world.rest[v[0]], world.rest[v[1]], world.rest[v[2]], t), law});
-        }
-    }
-    for (const Membrane::Filling& filling : membrane.gases) {
-        Enclosed gas{{}, {}, {}, filling.gas, filling.amount, 0, 0, 0, 0, {}, {}};
-        gas.from = gas.to = gas.gas.amount;
-        for (const auto& t : filling.enclosure.triangles)
-            gas.triangles.push_back({local(t[0]), local(t[1]), local(t[2])});
-        if (!filling.leak.hole.empty())
-            gas.leak.emplace(filling.leak, filling.gas, filling.enclosure.triangles, filling.riding,
-                             world.mass);
-        gases_.push_back(std::move(gas));
-    }
-    const std::size_t n = ids_.size();
-    for (Enclosed& gas : gases_) {
-        gas.start.assign(n + 1, 0);
-        for (const auto& t : gas.triangles)
-            for (const int v : t) ++gas.start[v + 1];
-        std::partial_sum(gas.start.begin(), gas.start.end(), gas.start.begin());
-        gas.corners.resize(3 * gas.triangles.size());
-        std::vector<int> next(gas.start.begin(), gas.start.end() - 1);
-        for (int t = 0; t < std::ssize(gas.triangles); ++t)
-            for (int c = 0; c < 3; ++c) gas.corners[next[gas.triangles[t][c]]++] = 3 * t + c;
-        gas.gradient.resize(n);
-    }
-    for (std::vector<Four>* array : {&x_, &start_, &trial_, &kept_, &step_, &right_})
-        array->resize(n);
-    mass_.resize(n);
-    inertia_.resize(n);
-    springForces_.resize(springs_.size());
-    springBlocks_.resize(springs_.size());
-    patchForces_.resize(patches_.size());
-    patchBlocks_.resize(patches_.size());
-    energies_.resize(springs_.size() + patches_.size());
-    system_ = std::make_unique<MembraneSystem>(static_cast<int>(n), ends_, corners_);
-    findIslands();
-}
-
-// The place in the set of a vertex of the world.
-template <class Real>
-int MembraneSet<Real>::local(int vertex) {
-    int& place = places_[vertex];
-    if (place < 0) {
-        place = static_cast<int>(ids_.size());
-        ids_.push_back(vertex);
-    }
-    return place;
-}
-
-// What hangs together by elements or by a surface that encloses a gas.
-template <class Real>
-void MembraneSet<Real>::findIslands() {
-    std::vector<int> leader(ids_.size());
-    std::iota(leader.begin(), leader.end(), 0);
-    const auto find = [&](int v) {
-        while (leader[v] != v) v = leader[v] = leader[leader[v]];
-        return v;
-    };
-    const auto join = [&](int a, int b) {
-        leader[std::max(find(a), find(b))] = std::min(find(a), find(b));
-    };
-    for (const auto& ends : ends_) join(ends[0], ends[1]);
-    for (const auto& t : corners_) join(t[0], t[1]), join(t[1], t[2]);
-    for (const Enclosed& gas : gases_)
-        for (const auto& t : gas.triangles) join(t[0], t[1]), join(t[1], t[2]);
-    std::vector<int> number(ids_.size(), -1);
-    for (int v = 0; v < std::ssize(ids_); ++v) {
-        int& island = number[find(v)];
-        if (island < 0) {
-            island = static_cast<int>(islands_.size());
-            islands_.emplace_back();
-        }
-        islands_[island].push_back(v);
-    }
-}
-
 // Each gas that leaks, with what is kept of it.
 template <class Real>
 template <class Numbers, class Visit>
 void MembraneSet<Real>::forLeaks(Numbers* kept, const Visit& visit) {
     for (Enclosed& gas : gases_)
-        if (gas.leak) visit(gas, std::exchange(kept, kept + Leak::numbers));
+        if (gas.leaves()) visit(gas, std::exchange(kept, kept + Leak::numbers));
 }
 
 template <class Real>
 void MembraneSet<Real>::furnish(Drawer<Real>& kept) const {
     for (const Enclosed& gas : gases_) {
-        if (!gas.leak) continue;
+        if (!gas.leaves()) continue;
         kept.numbers.resize(kept.numbers.size() + Leak::numbers);
-        gas.leak->furnish(kept.numbers.data() + kept.numbers.size() - Leak::numbers);
+        Leak::keep(kept.numbers.data() + kept.numbers.size() - Leak::numbers, gas.gas.amount);
     }
 }
 
 template <class Real>
 void MembraneSet<Real>::settle(State<Real>& state, Drawer<Real>& kept, double t, double h) {
     forLeaks(kept.numbers.data(), [&](Enclosed& gas, Real* numbers) {
-        gas.leak->settle(state, numbers, gas.given, t, h);
+        if (gas.leak) gas.leak->settle(state, numbers, gas.given, t, h);
+        if (gas.burst) gas.burst->settle(state, numbers, gas.given, h);
     });
 }
 
@@ -163,7 +66,7 @@ void MembraneSet<Real>::project(const Sweep<Real>& sweep, Direction, Workers& wo
     system_->assemble(inertia_, springBlocks_, patchBlocks_, workers);
     terms_.clear();
     for (const Enclosed& gas : gases_)
-        terms_.push_back({gas.gas.stiffness(gas.volume), gas.gradient});
+        if (!gas.open()) terms_.push_back({gas.gas.stiffness(gas.volume), gas.gradient});
     system_->solve(right_, terms_, iterations_, tolerance_, step_, workers);
     const double step = search(workers);
     conserve(step);
@@ -210,7 +113,7 @@ void MembraneSet<Real>::evaluate(Workers& workers) {
             right_[v] = Four{};
             if (mass_[v] == 0) continue;
             Four f = four(system_->forceOn(v, springForces_, patchForces_));
-            for (const Enclosed& gas : gases_) f += gas.gas.gauge(gas.volume) * gas.gradient[v];
+            for (const Enclosed& gas : gases_) f += gas.pressure * gas.gradient[v];
             right_[v] = f - inertia_[v] * kept_[v];
         }
     });
@@ -220,6 +123,8 @@ void MembraneSet<Real>::evaluate(Workers& workers) {
 template <class Real>
 void MembraneSet<Real>::fill(Enclosed& gas, Workers& workers) {
     gas.volume = volumeOf(gas, x_);
+    gas.pressure = gas.volume > 0 ? gas.gas.gauge(gas.volume) : 0;
+    if (gas.open()) gas.pressure = std::max(0.0, gas.pressure);
     workers.forBlocks(static_cast<int>(ids_.size()), blockSize, [&](int begin, int end) {
         for (int v = begin; v < end; ++v) {
             Vec<double> sum{0, 0, 0};
@@ -265,6 +170,13 @@ double MembraneSet<Real>::energyAt(double step, Workers& workers) {
     });
     double energy = std::accumulate(energies_.begin(), energies_.end(), 0.0);
     for (const Enclosed& gas : gases_) {
+        if (gas.open()) {
+            // Of what has openings the pressure stays as it is in an evaluation.
+            energy -= gas.pressure * step * system_->sum(workers, [&](int v) {
+                return dot(three(gas.gradient[v]), three(step_[v]));
+            });
+            continue;
+        }
         const double volume = volumeOf(gas, trial_);
         if (!(volume > 0)) return INFINITY;
         energy += gas.gas.energy(volume) - gas.gas.energy(gas.volume);

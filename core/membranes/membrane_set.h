@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../constraint.h"
+#include "burst.h"
 #include "membrane.h"
 #include "membrane_system.h"
 
@@ -47,7 +48,13 @@ private:
         double given = 0;         // J, at the end of the substep
         double volume = 0;
         std::vector<Four> gradient;
-        std::optional<Leak> leak;  // what is left of it is in the drawer
+        std::optional<Leak> leak;    // what is left of it is in the drawer
+        std::optional<Burst> burst;  // likewise
+        std::size_t acting = 0;      // of its triangles, on which it presses
+        double pressure = 0;         // Pa, above that outside
+
+        bool leaves() const { return leak || burst; }
+        bool open() const { return burst && burst->open(); }
     };
 
     template <class Numbers, class Visit>
@@ -55,6 +62,7 @@ private:
     int local(int vertex);
     void gather(const Sweep<Real>& sweep, Workers& workers);
     void evaluate(Workers& workers);
+    void enclose(const World& world, const Membrane::Filling& filling);
     void fill(Enclosed& gas, Workers& workers);
     double volumeOf(const Enclosed& gas, std::span<const Four> x) const;
     double energyAt(double step, Workers& workers);

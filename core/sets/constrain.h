@@ -23,7 +23,10 @@ void World::constrain(Rows<Kind> rows, SetOptions options) {
         checkRows(options.name, *set, world.start.size());
         if constexpr (!requires { Kind::contact; }) world.checkThere(options.name, set->ids);
         if constexpr (Kind::arity == 2)
-            if (options.direct) return std::make_unique<DirectSet<Kind, Real>>(set, world.pinned);
+            if (options.direct) {
+                world.checkWhole(options.name, set->ids);
+                return std::make_unique<DirectSet<Kind, Real>>(set, world.pinned);
+            }
         const int padding = static_cast<int>(world.start.size());
         return std::make_unique<ConstraintSet<Kind, Real>>(
             set, padding, kernels, renamed(world, set->ids, Kind::arity, padding));

@@ -12,10 +12,6 @@ namespace {
 
 constexpr int ring = 3;  // edges around the end of a tear that J is asked over
 
-Cuts cutsOf(const World& world) {
-    return world.torn ? *world.torn : Cuts(world.complex, world.tearable, world.pinned);
-}
-
 Range spareOf(const World& world, const Tearing& tearing) {
     for (const Tearable& tearable : world.tearable)
         if (tearable.matter.first == tearing.cloth.first) return tearable.spare;
@@ -30,7 +26,7 @@ template <class Real>
 Tear<Real>::Tear(const World& world, const Tearing& tearing)
     : tearing_(tearing),
       spare_(spareOf(world, tearing)),
-      cuts_(cutsOf(world)),
+      cuts_(world.torn ? *world.torn : world.uncut()),
       rest_(world.rest),
       stress_(cuts_, tearing.rubber, rest_),
       sites_(sitesOf(cuts_, rest_)),

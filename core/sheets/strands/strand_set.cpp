@@ -13,6 +13,7 @@ void strand(World& world, const Rows<Stretch>& set, std::vector<Strand> strands,
          geometricStiffness, name = options.name]<class Real>(
             const World& w, KernelChoice kernels) -> std::unique_ptr<Constraint<Real>> {
         checkRows(name, *shared, w.start.size());
+        w.checkWhole(name, shared->ids);
         const int padding = static_cast<int>(w.start.size());
         return std::make_unique<StrandSet<Real>>(
             shared, strings.empty() ? strandsOf(shared->ids, w.rest) : strings, padding, kernels,
