@@ -111,6 +111,16 @@ World World::releasedBy(double time) const {
     return free;
 }
 
+std::vector<int> World::wholes() const {
+    std::vector<int> names;
+    if (tearable.empty()) return names;
+    for (int v = 0; v < complex.count(0); ++v) names.push_back(torn ? torn->original(v) : v);
+    for (const auto& [matter, copies] : tearable)
+        for (int v = copies.first; v < copies.last; ++v)
+            if (names[v] == v) names[v] = -1;
+    return names;
+}
+
 Cuts World::uncut() const {
     std::vector<unsigned char> held = pinned;
     for (const Release& release : releases)

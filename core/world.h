@@ -138,6 +138,9 @@ struct World {
     // their vertices do, and have their part of the mass, by rest area. What is made from it knows
     // by `torn` what its vertices are called now.
     World tornBy(std::span<const std::int32_t> edges) const;
+    // By vertex: which vertex it is a copy of, or itself; -1 of a spare one of what may come apart
+    // that is not there yet. Empty where nothing may.
+    std::vector<int> wholes() const;
     // How it comes apart, from the first on; what is pinned, now or until a release, does not.
     Cuts uncut() const;
     // The vertices of `range` whose start satisfies `where`.

@@ -280,6 +280,24 @@ std::vector<int> Tear<Real>::edgesFor(const Failing& failing) const {
     return second ? std::vector{first->edge, second->edge} : std::vector{first->edge};
 }
 
+// The edges most nearly half a right angle to either side of ahead.
+template <class Real>
+std::vector<int> Tear<Real>::branchesFor(const Failing& failing) const {
+    const Site& site = sites_[failing.vertex];
+    std::vector<int> edges;
+    for (const double side : {-1.0, 1.0}) {
+        const Vec<double> across = side * cross(site.normal, failing.ahead),
+                          way = squareRoot(0.5) * (failing.ahead + across);
+        const Spoke* best = nullptr;
+        for (const Spoke& spoke : site.spokes)
+            if (spoke.triangles > 1 && dot(spoke.direction, across) > 0.25 &&
+                dot(spoke.direction, way) > (best ? dot(best->direction, way) : 0.7))
+                best = &spoke;
+        if (best) edges.push_back(best->edge);
+    }
+    return edges.size() == 2 ? edges : edgesFor(failing);
+}
+
 template <class Real>
 bool Tear<Real>::near(int vertex, const std::vector<int>& others) const {
     return std::ranges::any_of(others, [&](int other) {
@@ -310,7 +328,8 @@ void Tear<Real>::settle(State<Real>& state, Drawer<Real>& kept, double t, double
     for (const Failing& f : failing) {
         if (near(f.vertex, torn)) continue;
         const std::size_t before = cuts.splits().size();
-        for (const int edge : edgesFor(f)) {
+        const bool splits = sites_[f.vertex].endsTear() && f.times > tearing_.branching;
+        for (const int edge : splits ? branchesFor(f) : edgesFor(f)) {
             if (cuts.cut(edge))
                 state.cuts.push_back(edge);
             else

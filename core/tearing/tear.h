@@ -66,6 +66,7 @@ private:
                      std::vector<Failing>& failing) const;
     int pierced(const State<Real>& state, const Vec<double>& from, const Vec<double>& to) const;
     std::vector<int> edgesFor(const Failing& failing) const;
+    std::vector<int> branchesFor(const Failing& failing) const;
     bool near(int vertex, const std::vector<int>& others) const;
 
     Tearing tearing_;

@@ -14,6 +14,7 @@ void letTear(World& world, Tearing tearing) {
     refuse(!(tearing.strength > 0), "strength must be above 0");
     refuse(!(tearing.toughness >= 0) || !std::isfinite(tearing.toughness),
            "toughness must be finite and not negative");
+    refuse(!(tearing.branching >= 2), "branching must be 2 or more");
     refuse(!(tearing.scatter >= 0 && tearing.scatter < 1), "scatter must be in [0, 1)");
     Tearable tearable{tearing.cloth, {}};
     for (const Range& spare : world.spare)

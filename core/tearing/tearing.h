@@ -24,6 +24,8 @@ struct Tearing {
     double strength = std::numeric_limits<double>::infinity();
     // J/m^2 of torn section, length times thickness at rest; 0: a tear runs on by strength alone.
     double toughness = 0;
+    // Times what it costs, beyond which the end of a tear splits in two; two need 2 at least.
+    double branching = std::numeric_limits<double>::infinity();
     // What multiplies both at a place of the rest shape (m); none: 1 (M 8) [AT17].
     std::function<double(const Vec<double>& rest)> map{};
     double scatter = 0;  // of the strength from vertex to vertex, in parts of it, 0 to below 1

@@ -75,10 +75,10 @@ double PartyBalloon::pressure(double stretch) const {
 }
 
 Range addBalloon(World& world, const PartyBalloon& balloon, int subdivisions,
-                 const Vec<double>& top) {
+                 const Vec<double>& top, int spare) {
     Shape shape = shapeOf(balloon, subdivisions);
     for (Vec<double>& x : shape.positions) x += top;
-    return world.add(shape, {.density = balloon.density * balloon.wall});
+    return world.add(shape, {.density = balloon.density * balloon.wall, .spare = spare});
 }
 
 // Cut off where the half ball ends that closes the neck.

@@ -19,9 +19,9 @@ struct PartyBalloon {
     double pressure(double stretch) const;
 };
 
-// A ball at rest with its neck up and closed, the end of that at `top`.
+// A ball at rest with its neck up and closed, the end of that at `top`, and spare vertices behind it.
 Range addBalloon(World& world, const PartyBalloon& balloon, int subdivisions,
-                 const Vec<double>& top);
+                 const Vec<double>& top, int spare = 0);
 
 // The same with its neck open, the middle of the rim at `mouth`, its way out along `out` (unit).
 struct OpenBalloon {

@@ -83,18 +83,52 @@ Metric folds(const World& world, Range range, Band band) {
     });
 }
 
-Metric selfIntersections(const World& world, Range range, Band band) {
-    const auto inside = [&](int v) { return v >= range.first && v < range.last; };
+namespace {
+
+struct Mesh {
     std::vector<std::array<int, 2>> edges;
-    for (int i = 0; i < world.complex.count(1); ++i)
-        if (const auto edge = world.complex.edge(i); inside(edge[0]) && inside(edge[1]))
-            edges.push_back(edge);
     std::vector<std::array<int, 3>> triangles;
-    for (int i = 0; i < world.complex.count(2); ++i)
-        if (const auto triangle = world.complex.triangle(i); inside(triangle[0]))
-            triangles.push_back(triangle);
-    return metricOf("crossings", "", band, [=](const Snapshot& at) {
-        return static_cast<double>(countIntersections(at.positions, edges, triangles));
+};
+
+Mesh meshOf(const SimplicialComplex& complex, Range range) {
+    const auto inside = [&](int v) { return v >= range.first && v < range.last; };
+    Mesh mesh;
+    for (int i = 0; i < complex.count(1); ++i)
+        if (const auto edge = complex.edge(i); inside(edge[0]) && inside(edge[1]))
+            mesh.edges.push_back(edge);
+    for (int i = 0; i < complex.count(2); ++i)
+        if (const auto triangle = complex.triangle(i); inside(triangle[0]))
+            mesh.triangles.push_back(triangle);
+    return mesh;
+}
+
+}  // namespace
+
+Metric selfIntersections(const World& world, Range range, Band band) {
+    return metricOf("crossings", "", band,
+                    [range, whole = meshOf(world.complex, range),
+                     uncut = std::make_shared<const Cuts>(world.uncut())](const Snapshot& at) {
+                        const auto count = [&](const Mesh& mesh) {
+                            return static_cast<double>(
+                                countIntersections(at.positions, mesh.edges, mesh.triangles));
+                        };
+                        if (at.cuts.empty()) return count(whole);
+                        Cuts cuts = *uncut;
+                        for (const int edge : at.cuts) cuts.cut(edge);
+                        return count(meshOf(cuts.torn(), range));
+                    });
+}
+
+Metric tornLength(const World& world, Band band) {
+    std::vector<double> lengths;
+    for (int i = 0; i < world.complex.count(1); ++i) {
+        const auto ends = world.complex.vertices(1, i);
+        lengths.push_back(length(world.rest[ends[1]] - world.rest[ends[0]]));
+    }
+    return metricOf("torn", "mm", band, [=](const Snapshot& at) {
+        double sum = 0;
+        for (const int edge : at.cuts) sum += lengths[edge];
+        return 1000 * sum;
     });
 }
 

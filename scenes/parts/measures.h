@@ -30,6 +30,9 @@ Metric folds(const World& world, Range range, Band band);
 // Pairs of an edge, of a sheet or a curve, and a triangle of `range` that go through each other.
 Metric selfIntersections(const World& world, Range range, Band band);
 
+// In mm, at rest: of the edges that have come apart.
+Metric tornLength(const World& world, Band band);
+
 // What contacts could not hold since the frame before: 0, a scene's whole budget for failures.
 Metric contactFailures();
 

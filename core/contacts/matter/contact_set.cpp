@@ -54,7 +54,8 @@ template <class Real>
 ContactSet<Real>::ContactSet(const World& world, const std::vector<Surface>& surfaces,
                              const ContactOptions& options)
     : options_(options),
-      search_(world.complex, surfaces, world.pinned, marginOf(world, surfaces, options.margin)),
+      search_(world.complex, surfaces, world.pinned, marginOf(world, surfaces, options.margin),
+              world.wholes()),
       sections_(world, surfaces),
       rest_(world.rest),
       start_(world.start),

@@ -8,11 +8,13 @@
 namespace plait {
 
 PairSearch::PairSearch(const SimplicialComplex& complex, std::vector<Surface> surfaces,
-                       std::span<const unsigned char> pinned, double margin)
+                       std::span<const unsigned char> pinned, double margin,
+                       std::span<const int> whole)
     : surfaces_(std::move(surfaces)),
       surface_(complex.count(0), -1),
       thickness_(complex.count(0), 0),
       pinned_(pinned.begin(), pinned.end()),
+      whole_(whole.begin(), whole.end()),
       margin_(margin) {
     for (std::size_t s = 0; s < surfaces_.size(); ++s) {
         const Surface& of = surfaces_[s];
@@ -21,6 +23,7 @@ PairSearch::PairSearch(const SimplicialComplex& complex, std::vector<Surface> su
             ignored_[s * surfaces_.size() + other] = ignored_[other * surfaces_.size() + s] = 1;
         }
         for (int v = of.vertices.first; v < of.vertices.last; ++v) {
+            if (!whole_.empty() && whole_[v] < 0) continue;
             surface_[v] = static_cast<int>(s);
             thickness_[v] = thicknessAt(of, v);
             members_.push_back(v);
@@ -105,7 +108,7 @@ bool PairSearch::accepts(const Meeting& meeting, std::span<const int> a,
         return false;
     for (const int v : a)
         for (const int u : b)
-            if (u == v) return false;
+            if (whole_.empty() ? u == v : whole_[u] == whole_[v]) return false;
     return true;
 }
 

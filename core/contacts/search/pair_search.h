@@ -19,9 +19,12 @@ namespace plait {
 
 class PairSearch {
 public:
-    // What is pinned meets only what is not.
+    // What is pinned meets only what is not. `whole`, by vertex, of what may come apart: the vertex
+    // that it is a copy of, or itself; -1 where it is not there; empty: nothing may. What shared a
+    // vertex once does not meet, since it parts in one place.
     PairSearch(const SimplicialComplex& complex, std::vector<Surface> surfaces,
-               std::span<const unsigned char> pinned, double margin);
+               std::span<const unsigned char> pinned, double margin,
+               std::span<const int> whole = {});
 
     // Makes sure the list holds every pair that comes as near as its thicknesses and `slack` while
     // all vertices move from start to end (m, by vertex). When pairs are looked for, all are
@@ -126,6 +129,7 @@ private:
     std::vector<int> surface_;
     std::vector<double> thickness_;
     std::vector<unsigned char> pinned_;
+    std::vector<int> whole_;
     std::vector<int> members_;  // vertices of all surfaces
     double margin_;             // m
     Group groups_[2][kinds];    // what moves, and what is pinned throughout
