@@ -164,6 +164,20 @@ typename Tear<Real>::Disc Tear<Real>::discAt(int vertex) const {
     return disc;
 }
 
+// Of the disc at the end of a tear: what the tear goes through. Its lips bear nothing across it,
+// and of a trouser's legs one may be there more than the other.
+template <class Real>
+std::vector<int> Tear<Real>::trianglesAhead(int vertex) const {
+    std::vector<int> triangles = discAt(vertex).triangles;
+    const Vec<double> ahead = sites_[vertex].ahead();
+    std::erase_if(triangles, [&](int t) {
+        Vec<double> off{0, 0, 0};
+        for (const int v : cuts_.corners(t)) off += rest_[v] - rest_[vertex];
+        return dot(off, ahead) < 0;
+    });
+    return triangles;
+}
+
 // Eshelby's force on a place in the matter: with q 1 near it and 0 from `ring` edges on, minus the
 // sum over triangles of volume times (W - F^T P) grad q.
 template <class Real>
@@ -218,10 +232,10 @@ void Tear<Real>::findFailing(const State<Real>& state, const Drawer<Real>& kept,
             double thickness = 0;
             for (const int n : site.triangles)
                 if (stress_.has(n)) thickness = std::max(thickness, stress_.thickness(n));
-            const double times =
-                length(drive(state, v)) / (tearing_.toughness * parts_[whole] * thickness);
+            const Vec<double> drive = this->drive(state, v);
+            const double times = length(drive) / (tearing_.toughness * parts_[whole] * thickness);
             if (times > 1)
-                failing.push_back({times, v, bearing(state, v, discAt(v).triangles).normal, ahead});
+                failing.push_back({times, v, bearing(state, v, trianglesAhead(v)).normal, drive});
         } else if (tearing_.strength < infinity &&
                    (site.endsTear() || !(led[v] || cuts_.isApart(whole)))) {
             const Bearing most = bearing(state, v);
@@ -243,8 +257,8 @@ int Tear<Real>::pierced(const State<Real>& state, const Vec<double>& from,
         if (!stress_.has(t)) continue;
         const auto x = placesOf(state, t);
         const Vec<double> n = cross(x[1] - x[0], x[2] - x[0]);
-        const double slope = dot(way, n), at = divide(dot(x[0] - from, n), slope);
-        if (slope == 0 || at < 0 || at >= 1) continue;
+        const double slope = dot(way, n), at = dot(x[0] - from, n) / slope;
+        if (!(at >= 0 && at < 1)) continue;
         const Vec<double> place = from + at * way;
         const auto side = [&](int a, int b) {
             return dot(cross(x[b] - x[a], place - x[a]), n) >= 0;
@@ -258,8 +272,8 @@ int Tear<Real>::pierced(const State<Real>& state, const Vec<double>& from,
     return -1;
 }
 
-// The edge that lies most nearly in the section that bears most, at the end of a tear ahead; inside
-// a sheet also the one that goes on opposite to it.
+// The edge that lies most nearly in the section that bears most, at the end of a tear within 60
+// degrees of its way; inside a sheet also the one that goes on opposite to it.
 template <class Real>
 std::vector<int> Tear<Real>::edgesFor(const Failing& failing) const {
     const Site& site = sites_[failing.vertex];
@@ -274,7 +288,7 @@ std::vector<int> Tear<Real>::edgesFor(const Failing& failing) const {
                 found = &spoke;
         return found;
     };
-    const Spoke* const first = best(failing.ahead, 0);
+    const Spoke* const first = best(unitOf(failing.way), length(failing.way) > 0 ? 0.5 : 0);
     if (!first) return {};
     const Spoke* const second = site.inside() ? best(-first->direction, 0.3) : nullptr;
     return second ? std::vector{first->edge, second->edge} : std::vector{first->edge};
@@ -286,8 +300,8 @@ std::vector<int> Tear<Real>::branchesFor(const Failing& failing) const {
     const Site& site = sites_[failing.vertex];
     std::vector<int> edges;
     for (const double side : {-1.0, 1.0}) {
-        const Vec<double> across = side * cross(site.normal, failing.ahead),
-                          way = squareRoot(0.5) * (failing.ahead + across);
+        const Vec<double> ahead = unitOf(failing.way), across = side * cross(site.normal, ahead),
+                          way = squareRoot(0.5) * (ahead + across);
         const Spoke* best = nullptr;
         for (const Spoke& spoke : site.spokes)
             if (spoke.triangles > 1 && dot(spoke.direction, across) > 0.25 &&

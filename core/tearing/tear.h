@@ -49,7 +49,7 @@ private:
         double times;  // of what it bears
         int vertex;
         Vec<double> normal;  // of the section that bears most, at rest
-        Vec<double> ahead;   // of the end of a tear, at rest: where it would go straight on
+        Vec<double> way;     // of the end of a tear, at rest: where it goes; 0 elsewhere
     };
 
     // Triangles within `ring` edges of a vertex, and how many each of the vertices there is away.
@@ -57,6 +57,7 @@ private:
         std::vector<int> vertices, steps, triangles;
     };
     Disc discAt(int vertex) const;
+    std::vector<int> trianglesAhead(int vertex) const;
     Bearing bearing(const State<Real>& state, int vertex, std::span<const int> triangles) const;
     std::array<Vec<double>, 3> placesOf(const State<Real>& state, int triangle) const;
     double costOf(int edge) const;

@@ -45,7 +45,8 @@ inline Shape notched(const GridParameters& size, double notch, double jitter = 0
     for (const Split& split : cuts.splits())
         shape.positions.push_back(shape.positions[cuts.original(split.copy)]);
     Simplices given;
-    for (int t = 0; t < cuts.torn().count(2); ++t) given.triangles.push_back(cuts.torn().triangle(t));
+    for (int t = 0; t < cuts.torn().count(2); ++t)
+        given.triangles.push_back(cuts.torn().triangle(t));
     return {SimplicialComplex(count, given), shape.positions};
 }
 
@@ -87,7 +88,8 @@ struct Strip {
     }
 
     void hold() {
-        holdMembrane(world, {.rubber = {rubber}, .iterations = 60}, {.name = "rubber", .importance = 1});
+        holdMembrane(world, {.rubber = {rubber}, .iterations = 60},
+                     {.name = "rubber", .importance = 1});
     }
 };
 
