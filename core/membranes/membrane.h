@@ -37,6 +37,10 @@ struct Membrane {
     Rows<Stretch> springs;  // compliances above 0
     std::vector<Rubber> rubber;
     std::vector<Filling> gases;
+    // J/m^2 of torn section, length times thickness at rest: what lips take before they let go,
+    // where rubber comes apart (tearing/); 0: they let go at once.
+    double toughness = 0;
+    std::function<double(const Vec<double>& rest)> toughnessMap{};  // multiplies it; none: 1
     // Of conjugate gradients in an evaluation, of which a palindrome makes two.
     int iterations = 15;
     double tolerance = 1e-10;  // of the residual, at which they stop

@@ -30,6 +30,10 @@ void MembraneSet<Real>::furnish(Drawer<Real>& kept) const {
         kept.numbers.resize(kept.numbers.size() + Leak::numbers);
         Leak::keep(kept.numbers.data() + kept.numbers.size() - Leak::numbers, gas.gas.amount);
     }
+    // Force, not known yet, and how far they have opened.
+    for (const Range& spare : spare_)
+        for (int v = spare.first; v < spare.last; ++v)
+            kept.numbers.insert(kept.numbers.end(), {Real(-1), Real(0)});
 }
 
 template <class Real>
@@ -38,6 +42,54 @@ void MembraneSet<Real>::settle(State<Real>& state, Drawer<Real>& kept, double t,
         if (gas.leak) gas.leak->settle(state, numbers, gas.given, t, h);
         if (gas.burst) gas.burst->settle(state, numbers, gas.given, h);
     });
+    for (std::size_t n = 0; n < lips_.size(); ++n) {
+        kept.numbers[lipsAt_[n]] = static_cast<Real>(lips_[n].force);
+        Real& opened = kept.numbers[lipsAt_[n] + 1];
+        opened = std::max(opened, static_cast<Real>(openingOf(state, static_cast<int>(n))));
+    }
+}
+
+template <class Real>
+double MembraneSet<Real>::openingOf(const State<Real>& state, int lips) const {
+    const auto& ends = ends_[springs_.size() + lips];
+    return length(state.position(ids_[ends[1]]) - state.position(ids_[ends[0]]));
+}
+
+template <class Real>
+double MembraneSet<Real>::taken(const State<Real>& state, const Drawer<Real>& kept) const {
+    double sum = 0;
+    for (int n = 0; n < std::ssize(lips_); ++n) {
+        Lips lips = lips_[n];
+        lips.force = double(kept.numbers[lipsAt_[n]]);
+        lips.opened = double(kept.numbers[lipsAt_[n] + 1]);
+        const double opening = openingOf(state, n);
+        sum += lips.taken() + lips.energy({opening, 0, 0});
+    }
+    return sum;
+}
+
+// Those that have come apart just now begin with half of what pulls one of them against the other,
+// or more where that would not do.
+template <class Real>
+void MembraneSet<Real>::readLips(const Sweep<Real>& sweep, Workers& workers) {
+    bool fresh = false;
+    for (std::size_t n = 0; n < lips_.size(); ++n) {
+        const Real force = sweep.kept[lipsAt_[n]];
+        if (force >= 0) lips_[n].force = double(force);
+        lips_[n].opened = double(sweep.kept[lipsAt_[n] + 1]);
+        fresh = fresh || lips_[n].force < 0;
+    }
+    if (fresh) evaluate(workers);
+    for (std::size_t n = 0; fresh && n < lips_.size(); ++n) {
+        if (lips_[n].force >= 0) continue;
+        const auto& ends = ends_[springs_.size() + n];
+        const Vec<double> apart = system_->forceOn(ends[1], springForces_, patchForces_) -
+                                  system_->forceOn(ends[0], springForces_, patchForces_);
+        const double force = std::max(0.5 * length(apart), lips_[n].forceFor(longest_[n]));
+        lips_[n].force = double(static_cast<Real>(force));
+    }
+    const auto paid = std::ranges::count_if(lips_, [](const Lips& lips) { return lips.paid(); });
+    if (std::exchange(paid_, paid) != paid) findIslands();
 }
 
 template <class Real>
@@ -52,6 +104,7 @@ void MembraneSet<Real>::beginFrame(double t0, double t1) {
 template <class Real>
 void MembraneSet<Real>::begin(const Substep& substep, Workers&) {
     std::ranges::fill(kept_, Four{});
+    for (Lips& lips : lips_) lips.force = -1;
     for (Enclosed& gas : gases_)
         gas.gas.amount = gas.given = gas.from + substep.frameFraction * (gas.to - gas.from);
 }
@@ -62,6 +115,7 @@ void MembraneSet<Real>::project(const Sweep<Real>& sweep, Direction, Workers& wo
     forLeaks(sweep.kept,
              [](Enclosed& gas, const Real* numbers) { gas.gas.amount = Leak::left(numbers); });
     gather(sweep, workers);
+    readLips(sweep, workers);
     evaluate(workers);
     system_->assemble(inertia_, springBlocks_, patchBlocks_, workers);
     terms_.clear();
@@ -93,11 +147,13 @@ void MembraneSet<Real>::gather(const Sweep<Real>& sweep, Workers& workers) {
 // to zero.
 template <class Real>
 void MembraneSet<Real>::evaluate(Workers& workers) {
-    const auto springs = static_cast<int>(springs_.size());
-    workers.forBlocks(springs, blockSize, [&](int begin, int end) {
-        for (int n = begin; n < end; ++n)
-            springForces_[n] =
-                springs_[n].force(between(x_, ends_[n][0], ends_[n][1]), springBlocks_[n]);
+    const auto springs = static_cast<int>(springs_.size()), lines = static_cast<int>(ends_.size());
+    workers.forBlocks(lines, blockSize, [&](int begin, int end) {
+        for (int n = begin; n < end; ++n) {
+            const Vec<double> d = between(x_, ends_[n][0], ends_[n][1]);
+            springForces_[n] = n < springs ? springs_[n].force(d, springBlocks_[n])
+                                           : lips_[n - springs].pull(d, springBlocks_[n]);
+        }
     });
     workers.forBlocks(static_cast<int>(patches_.size()), blockSize, [&](int begin, int end) {
         for (int n = begin; n < end; ++n) {
@@ -155,16 +211,18 @@ double MembraneSet<Real>::energyAt(double step, Workers& workers) {
     workers.forBlocks(n, blockSize, [&](int begin, int end) {
         for (int v = begin; v < end; ++v) trial_[v] = x_[v] + step * step_[v];
     });
-    const auto springs = static_cast<int>(springs_.size());
-    workers.forBlocks(springs, blockSize, [&](int begin, int end) {
-        for (int e = begin; e < end; ++e)
-            energies_[e] = springs_[e].energy(between(trial_, ends_[e][0], ends_[e][1]));
+    const auto springs = static_cast<int>(springs_.size()), lines = static_cast<int>(ends_.size());
+    workers.forBlocks(lines, blockSize, [&](int begin, int end) {
+        for (int e = begin; e < end; ++e) {
+            const Vec<double> d = between(trial_, ends_[e][0], ends_[e][1]);
+            energies_[e] = e < springs ? springs_[e].energy(d) : lips_[e - springs].energy(d);
+        }
     });
     workers.forBlocks(static_cast<int>(patches_.size()), blockSize, [&](int begin, int end) {
         for (int e = begin; e < end; ++e) {
             const auto& c = corners_[e];
             const Law& law = laws_[patches_[e].law];
-            energies_[springs + e] = patches_[e].patch.energy(
+            energies_[lines + e] = patches_[e].patch.energy(
                 law.ogden, law.relaxed, between(trial_, c[0], c[1]), between(trial_, c[0], c[2]));
         }
     });

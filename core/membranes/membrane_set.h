@@ -3,6 +3,7 @@
 
 #include "../constraint.h"
 #include "burst.h"
+#include "lips.h"
 #include "membrane.h"
 #include "membrane_system.h"
 
@@ -26,8 +27,10 @@ public:
     void project(const Sweep<Real>& sweep, Direction direction, Workers& workers) override;
     void settle(State<Real>& state, Drawer<Real>& kept, double t, double h) override;
     long size() const override {
-        return static_cast<long>(springs_.size() + patches_.size()) * (1 + iterations_ / 4);
+        return static_cast<long>(ends_.size() + patches_.size()) * (1 + iterations_ / 4);
     }
+    // J that lips have taken, and what they hold.
+    double taken(const State<Real>& state, const Drawer<Real>& kept) const;
 
 private:
     // A triangle of rubber.
@@ -62,6 +65,10 @@ private:
     int local(int vertex);
     void gather(const Sweep<Real>& sweep, Workers& workers);
     void evaluate(Workers& workers);
+    void addLips(const World& world, const Membrane& membrane);
+    int placeOf(int copy) const;
+    double openingOf(const State<Real>& state, int lips) const;  // m
+    void readLips(const Sweep<Real>& sweep, Workers& workers);
     void enclose(const World& world, const Membrane::Filling& filling);
     void fill(Enclosed& gas, Workers& workers);
     double volumeOf(const Enclosed& gas, std::span<const Four> x) const;
@@ -75,9 +82,15 @@ private:
     double tolerance_;
     std::vector<int> ids_;  // of particles, by vertex of the set
     std::vector<int> places_;
-    std::vector<std::array<int, 2>> ends_;
+    std::vector<std::array<int, 2>> ends_;  // of springs, then of lips
     std::vector<std::array<int, 3>> corners_;
     std::vector<Spring> springs_;
+    std::vector<Lips> lips_;
+    std::vector<double> longest_;  // m, in which lips take what is owed, however little they bear
+    std::vector<int> lipsAt_;      // in the drawer
+    std::vector<Range> spare_;     // whose copies may have lips
+    int leaves_ = 0;               // numbers in the drawer of gases that leave
+    std::ptrdiff_t paid_ = 0;      // lips, when islands were found
     std::vector<Sheet> patches_;
     std::vector<Law> laws_;
     std::vector<Enclosed> gases_;

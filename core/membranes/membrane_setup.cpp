@@ -5,6 +5,21 @@
 #include <numeric>
 
 namespace plait {
+namespace {
+
+// J/m of a tear at each vertex: toughness times thickness.
+std::vector<double> costsOf(const World& world, const Membrane& membrane) {
+    std::vector<double> costs(world.rest.size(), 0);
+    for (const Membrane::Rubber& rubber : membrane.rubber)
+        for (std::size_t n = 0; n < rubber.triangles.size(); ++n)
+            costs[rubber.triangles[n]] =
+                membrane.toughness * rubber.thickness[rubber.thickness.size() == 1 ? 0 : n / 3];
+    for (std::size_t v = 0; v < costs.size(); ++v)
+        if (membrane.toughnessMap && costs[v] > 0) costs[v] *= membrane.toughnessMap(world.rest[v]);
+    return costs;
+}
+
+}  // namespace
 
 template <class Real>
 MembraneSet<Real>::MembraneSet(const World& world, const Membrane& membrane)
@@ -31,6 +46,9 @@ MembraneSet<Real>::MembraneSet(const World& world, const Membrane& membrane)
                 {Patch(world.rest[v[0]], world.rest[v[1]], world.rest[v[2]], t), law});
         }
     }
+    for (const Membrane::Filling& filling : membrane.gases)
+        leaves_ += filling.bursts || !filling.leak.hole.empty() ? Leak::numbers : 0;
+    addLips(world, membrane);
     for (const Membrane::Filling& filling : membrane.gases) enclose(world, filling);
     const std::size_t n = ids_.size();
     for (Enclosed& gas : gases_) {
@@ -48,13 +66,53 @@ MembraneSet<Real>::MembraneSet(const World& world, const Membrane& membrane)
         array->resize(n);
     mass_.resize(n);
     inertia_.resize(n);
-    springForces_.resize(springs_.size());
-    springBlocks_.resize(springs_.size());
+    springForces_.resize(ends_.size());
+    springBlocks_.resize(ends_.size());
     patchForces_.resize(patches_.size());
     patchBlocks_.resize(patches_.size());
-    energies_.resize(springs_.size() + patches_.size());
+    energies_.resize(ends_.size() + patches_.size());
     system_ = std::make_unique<MembraneSystem>(static_cast<int>(n), ends_, corners_);
     findIslands();
+}
+
+// An edge that parted no vertex by itself, as the first inside a sheet, is paid for by the next
+// that does.
+template <class Real>
+void MembraneSet<Real>::addLips(const World& world, const Membrane& membrane) {
+    const auto isOurs = [&](int v) { return places_[v] >= 0; };
+    for (const auto& [matter, spare] : world.tearable)
+        if (membrane.toughness > 0 && isOurs(matter.first)) spare_.push_back(spare);
+    if (!world.torn || spare_.empty()) return;
+    const Cuts& cuts = *world.torn;
+    const std::vector<double> costs = costsOf(world, membrane);
+    double owed = 0;
+    std::size_t next = 0;
+    for (const int edge : cuts.order()) {
+        const auto ends = cuts.whole().vertices(1, edge);
+        const double span = length(world.rest[ends[1]] - world.rest[ends[0]]);
+        owed += 0.5 * (costs[ends[0]] + costs[ends[1]]) * span;
+        const std::size_t first = next;
+        while (next < cuts.splits().size() && cuts.splits()[next].cut == edge) ++next;
+        for (const Split& split : cuts.splits().subspan(first, next - first)) {
+            if (!isOurs(split.vertex) || !isOurs(split.copy)) continue;
+            ends_.push_back({local(split.vertex), local(split.copy)});
+            lips_.push_back({owed / static_cast<double>(next - first), -1, 0});
+            longest_.push_back(4 * span);
+            lipsAt_.push_back(placeOf(split.copy));
+        }
+        if (next > first) owed = 0;
+    }
+}
+
+// Of its lips in the drawer, behind the gases that leave.
+template <class Real>
+int MembraneSet<Real>::placeOf(int copy) const {
+    int place = leaves_;
+    for (const Range& spare : spare_) {
+        if (spare.first <= copy && copy < spare.last) return place + 2 * (copy - spare.first);
+        place += 2 * spare.size();
+    }
+    return place;
 }
 
 template <class Real>
@@ -102,10 +160,13 @@ void MembraneSet<Real>::findIslands() {
     const auto join = [&](int a, int b) {
         leader[std::max(find(a), find(b))] = std::min(find(a), find(b));
     };
-    for (const auto& ends : ends_) join(ends[0], ends[1]);
+    for (std::size_t n = 0; n < ends_.size(); ++n)
+        if (n < springs_.size() || !lips_[n - springs_.size()].paid())
+            join(ends_[n][0], ends_[n][1]);
     for (const auto& t : corners_) join(t[0], t[1]), join(t[1], t[2]);
     for (const Enclosed& gas : gases_)
         for (const auto& t : gas.triangles) join(t[0], t[1]), join(t[1], t[2]);
+    islands_.clear();
     std::vector<int> number(ids_.size(), -1);
     for (int v = 0; v < std::ssize(ids_); ++v) {
         int& island = number[find(v)];

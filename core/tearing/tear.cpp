@@ -11,6 +11,10 @@ namespace plait {
 namespace {
 
 constexpr int ring = 3;  // edges around the end of a tear that J is asked over
+// Times what it costs, from which on a tear need not wait until the lips behind it have parted: on
+// an irregular mesh an edge may cost more than it sets free, which the next ones pay for.
+constexpr double insists = 1.12;
+constexpr double leastAhead = 0.7;  // cosine of how far a tear may turn at a vertex
 
 Range spareOf(const World& world, const Tearing& tearing) {
     for (const Tearable& tearable : world.tearable)
@@ -23,93 +27,32 @@ Vec<double> unitOf(const Vec<double>& v) { return divide(1.0, length(v)) * v; }
 }  // namespace
 
 template <class Real>
-Tear<Real>::Tear(const World& world, const Tearing& tearing)
-    : tearing_(tearing),
-      spare_(spareOf(world, tearing)),
+Tear<Real>::Tear(const World& world, const TornMembrane& membrane)
+    : tearing_(membrane.tearing),
+      spare_(spareOf(world, tearing_)),
       cuts_(world.torn ? *world.torn : world.uncut()),
       rest_(world.rest),
-      stress_(cuts_, tearing.rubber, rest_),
+      stress_(cuts_, membrane.rubber, rest_),
       sites_(sitesOf(cuts_, rest_)),
-      parts_(rest_.size(), 1) {
-    Splitmix random(tearing.seed);
-    for (int v = tearing.cloth.first; v < spare_.first; ++v)
-        parts_[v] =
-            (tearing.map ? tearing.map(rest_[v]) : 1) * (1 + tearing.scatter * random.both());
+      parts_(rest_.size(), 1),
+      scatter_(rest_.size(), 1) {
+    Splitmix random(tearing_.seed);
+    for (int v = tearing_.cloth.first; v < spare_.first; ++v) {
+        if (tearing_.map) parts_[v] = tearing_.map(rest_[v]);
+        scatter_[v] = 1 + tearing_.scatter * random.both();
+    }
     double mass = 0, stiffness = 0;
-    for (int v = tearing.cloth.first; v < tearing.cloth.last; ++v)
+    for (int v = tearing_.cloth.first; v < tearing_.cloth.last; ++v)
         if (v < spare_.first || cuts_.original(v) != v) mass += world.mass[v];
     for (int t = 0; t < cuts_.whole().count(2); ++t)
         if (stress_.has(t)) stiffness += stress_.volume(t) * stress_.shearModulus(t);
     waveSpeed_ = std::sqrt(stiffness / mass);
-    findLips();
-}
-
-// An edge that parted no vertex by itself, as the first inside a sheet, is paid for by the next
-// that does.
-template <class Real>
-void Tear<Real>::findLips() {
-    double owed = 0;
-    const auto splits = cuts_.splits();
-    std::size_t next = 0;
-    for (const int edge : cuts_.order()) {
-        owed += costOf(edge);
-        const std::size_t first = next;
-        while (next < splits.size() && splits[next].cut == edge) ++next;
-        for (std::size_t s = first; s < next; ++s) {
-            if (splits[s].copy < spare_.first || splits[s].copy >= spare_.last) continue;
-            const auto ends = cuts_.whole().vertices(1, edge);
-            const double span = length(rest_[ends[1]] - rest_[ends[0]]);
-            lips_.push_back({splits[s].vertex, splits[s].copy,
-                             owed / static_cast<double>(next - first), 0.25 * span / waveSpeed_});
-        }
-        if (next > first) owed = 0;
-    }
-}
-
-template <class Real>
-double Tear<Real>::costOf(int edge) const {
-    const auto ends = cuts_.whole().vertices(1, edge);
-    double thickness = 0;
-    for (const int t : cuts_.around(ends[0])) {
-        const auto corners = cuts_.whole().vertices(2, t);
-        if (stress_.has(t) && std::ranges::find(corners, ends[1]) != corners.end())
-            thickness = std::max(thickness, stress_.thickness(t));
-    }
-    return tearing_.toughness * 0.5 * (parts_[ends[0]] + parts_[ends[1]]) * thickness *
-           length(rest_[ends[1]] - rest_[ends[0]]);
 }
 
 template <class Real>
 void Tear<Real>::furnish(Drawer<Real>& kept) const {
     kept.numbers.assign(2 * static_cast<std::size_t>(spare_.size()), Real(0));
     kept.integers.assign(1, 0);
-}
-
-template <class Real>
-void Tear<Real>::prepare(State<Real>&, Drawer<Real>& kept, double, double h, Workers&) {
-    kept_ = &kept;
-    h_ = h;
-}
-
-template <class Real>
-void Tear<Real>::apply(State<Real>& state, double, double h, Workers&) {
-    for (const Lips& lips : lips_) {
-        Real& taken = kept_->numbers[lips.copy - spare_.first];
-        const double left = lips.cost - double(taken);
-        if (!(left > 0)) continue;
-        Vec<Real>&v = state.velocity[lips.vertex].v, &u = state.velocity[lips.copy].v;
-        const double wv = state.particles[lips.vertex].w, wu = state.particles[lips.copy].w;
-        if (wv + wu == 0) continue;
-        const Vec<double> apart = as<double>(u - v);
-        // Of the energy of how fast they part, as much as is left to pay.
-        const double energy = 0.5 * dot(apart, apart) / (wv + wu),
-                     lost = 1 - exponential(-2 * h / lips.time),
-                     part = energy * lost > left ? divide(left, energy) : lost,
-                     slower = 1 - squareRoot(1 - part);
-        u -= as<Real>((slower * wu / (wv + wu)) * apart);
-        v += as<Real>((slower * wv / (wv + wu)) * apart);
-        taken += static_cast<Real>(part * energy * h_ / h);
-    }
 }
 
 template <class Real>
@@ -201,15 +144,42 @@ Vec<double> Tear<Real>::drive(const State<Real>& state, int vertex) const {
     return sum;
 }
 
-// How long ago (s) the tear that ends here got here, and how long its last edge is (m).
 template <class Real>
-bool Tear<Real>::mayGoOn(const Drawer<Real>& kept, const Site& site, double t) const {
+bool Tear<Real>::mayGoOn(const State<Real>& state, const Drawer<Real>& kept, const Site& site,
+                         double times, double t) const {
     for (const Spoke& spoke : site.spokes) {
         if (spoke.triangles > 1 || spoke.end < spare_.first || spoke.end >= spare_.last) continue;
-        const double since = t - double(kept.numbers[spare_.size() + spoke.end - spare_.first]);
-        if (since * waveSpeed_ < spoke.length) return false;
+        const Real* const parting = &kept.numbers[2L * (spoke.end - spare_.first)];
+        if ((t - double(parting[0])) * waveSpeed_ < spoke.length) return false;
+        const auto split = std::ranges::find(cuts_.splits(), spoke.end, &Split::copy);
+        const double opened = length(state.position(spoke.end) - state.position(split->vertex));
+        if (times < insists && opened < double(parting[1])) return false;
     }
     return true;
+}
+
+// Notes when what a cut has split did so, and how far it has to open until it bears half of what it
+// did: what it costs over the force.
+template <class Real>
+void Tear<Real>::note(const State<Real>& state, const Cuts& cuts, const Split& split, double t,
+                      Drawer<Real>& kept) const {
+    const int whole = cuts.original(split.copy);
+    const auto ends = cuts.whole().vertices(1, split.cut);
+    const double span = length(rest_[ends[1]] - rest_[ends[0]]);
+    Vec<double> force{0, 0, 0};
+    double thickness = 0;
+    for (const int n : cuts.around(whole)) {
+        if (!stress_.has(n)) continue;
+        thickness = std::max(thickness, stress_.thickness(n));
+        if (cuts.nameIn(n, whole) != split.copy) continue;
+        const auto corners = cuts.whole().vertices(2, n);
+        force += stress_.forces(
+            n, placesOf(state, n))[std::ranges::find(corners, whole) - corners.begin()];
+    }
+    const double cost = tearing_.toughness * parts_[whole] * thickness * span, far = 2 * span;
+    Real* const parting = &kept.numbers[2L * (split.copy - spare_.first)];
+    parting[0] = static_cast<Real>(t);
+    parting[1] = static_cast<Real>(cost < far * length(force) ? cost / length(force) : far);
 }
 
 template <class Real>
@@ -228,18 +198,20 @@ void Tear<Real>::findFailing(const State<Real>& state, const Drawer<Real>& kept,
         if (site.triangles.empty() || cuts_.isHeld(whole)) continue;
         const Vec<double> ahead = site.endsTear() ? site.ahead() : Vec<double>{};
         if (tearing_.toughness > 0 && site.endsTear()) {
-            if (!mayGoOn(kept, site, t)) continue;
             double thickness = 0;
             for (const int n : site.triangles)
                 if (stress_.has(n)) thickness = std::max(thickness, stress_.thickness(n));
-            const Vec<double> drive = this->drive(state, v);
-            const double times = length(drive) / (tearing_.toughness * parts_[whole] * thickness);
-            if (times > 1)
-                failing.push_back({times, v, bearing(state, v, trianglesAhead(v)).normal, drive});
+            Failing next{0, v, bearing(state, v, trianglesAhead(v)).normal, ahead};
+            const Spoke* const edge = edgeFor(next, ahead, leastAhead);
+            if (!edge) continue;
+            next.times = dot(drive(state, v), edge->direction) /
+                         (tearing_.toughness * parts_[whole] * thickness);
+            if (next.times > 1 && mayGoOn(state, kept, site, next.times, t))
+                failing.push_back(next);
         } else if (tearing_.strength < infinity &&
                    (site.endsTear() || !(led[v] || cuts_.isApart(whole)))) {
             const Bearing most = bearing(state, v);
-            const double times = most.force / (tearing_.strength * parts_[whole]);
+            const double times = most.force / (tearing_.strength * parts_[whole] * scatter_[whole]);
             if (times > 1) failing.push_back({times, v, most.normal, ahead});
         }
     }
@@ -272,25 +244,27 @@ int Tear<Real>::pierced(const State<Real>& state, const Vec<double>& from,
     return -1;
 }
 
-// The edge that lies most nearly in the section that bears most, at the end of a tear within 60
-// degrees of its way; inside a sheet also the one that goes on opposite to it.
+// The edge most nearly in the section that bears most, of those that run so far along `way`.
+template <class Real>
+const Spoke* Tear<Real>::edgeFor(const Failing& failing, const Vec<double>& way,
+                                 double least) const {
+    const Spoke* best = nullptr;
+    const auto off = [&](const Spoke& s) { return std::fabs(dot(s.direction, failing.normal)); };
+    for (const Spoke& spoke : sites_[failing.vertex].spokes)
+        if (spoke.triangles > 1 && dot(spoke.direction, way) >= least &&
+            (!best || off(spoke) < off(*best)))
+            best = &spoke;
+    return best || least <= 0 ? best : edgeFor(failing, way, least - 0.35);
+}
+
+// Inside a sheet also the one that goes on opposite.
 template <class Real>
 std::vector<int> Tear<Real>::edgesFor(const Failing& failing) const {
     const Site& site = sites_[failing.vertex];
-    const auto best = [&](const Vec<double>& way, double least) {
-        const Spoke* found = nullptr;
-        const auto off = [&](const Spoke& s) {
-            return std::fabs(dot(s.direction, failing.normal));
-        };
-        for (const Spoke& spoke : site.spokes)
-            if (spoke.triangles > 1 && dot(spoke.direction, way) >= least &&
-                (!found || off(spoke) < off(*found)))
-                found = &spoke;
-        return found;
-    };
-    const Spoke* const first = best(unitOf(failing.way), length(failing.way) > 0 ? 0.5 : 0);
+    const Spoke* const first =
+        edgeFor(failing, failing.way, length(failing.way) > 0 ? leastAhead : 0);
     if (!first) return {};
-    const Spoke* const second = site.inside() ? best(-first->direction, 0.3) : nullptr;
+    const Spoke* const second = site.inside() ? edgeFor(failing, -first->direction, 0.3) : nullptr;
     return second ? std::vector{first->edge, second->edge} : std::vector{first->edge};
 }
 
@@ -300,8 +274,8 @@ std::vector<int> Tear<Real>::branchesFor(const Failing& failing) const {
     const Site& site = sites_[failing.vertex];
     std::vector<int> edges;
     for (const double side : {-1.0, 1.0}) {
-        const Vec<double> ahead = unitOf(failing.way), across = side * cross(site.normal, ahead),
-                          way = squareRoot(0.5) * (ahead + across);
+        const Vec<double> across = side * cross(site.normal, failing.way),
+                          way = squareRoot(0.5) * (failing.way + across);
         const Spoke* best = nullptr;
         for (const Spoke& spoke : site.spokes)
             if (spoke.triangles > 1 && dot(spoke.direction, across) > 0.25 &&
@@ -350,8 +324,7 @@ void Tear<Real>::settle(State<Real>& state, Drawer<Real>& kept, double t, double
                 ++kept.integers[0];
         }
         if (state.cuts.size() > cuts_.order().size()) torn.push_back(f.vertex);
-        for (const Split& split : cuts.splits().subspan(before))
-            kept.numbers[spare_.size() + split.copy - spare_.first] = static_cast<Real>(t);
+        for (const Split& split : cuts.splits().subspan(before)) note(state, cuts, split, t, kept);
     }
 }
 

@@ -1,5 +1,4 @@
-// The force of what tears: it decides, once a substep has ended, what comes apart, and takes what
-// that costs from how the lips part.
+// What decides, once a substep has ended, what comes apart. It is a force that does not push.
 #pragma once
 
 #include "../force.h"
@@ -11,19 +10,23 @@
 
 namespace plait {
 
+struct TornMembrane {
+    std::vector<Membrane::Rubber> rubber;
+    Tearing tearing;
+};
+
 template <class Real>
 class Tear : public Force<Real> {
 public:
-    Tear(const World& world, const Tearing& tearing);
+    Tear(const World& world, const TornMembrane& membrane);
 
     std::string name() const override { return tearing_.name; }
-    // By spare vertex, J that its lips have taken; then the time (s) at which it came apart. Of
-    // the whole numbers one, the cuts that were refused for want of spare vertices.
+    // By spare vertex the time (s) at which it came apart, and how far it has to open (m) until a
+    // tear goes on from there. Of the whole numbers one, the cuts that
+    // were refused for want of spare vertices.
     void furnish(Drawer<Real>& kept) const override;
     void beginFrame(const State<Real>&, double t0, double, Workers&) override { from_ = t0; }
-    void prepare(State<Real>& state, Drawer<Real>& kept, double t, double h,
-                 Workers& workers) override;
-    void apply(State<Real>& state, double t, double h, Workers& workers) override;
+    void apply(State<Real>&, double, double, Workers&) override {}
     void settle(State<Real>& state, Drawer<Real>& kept, double t, double h) override;
 
     // What a tear that ends at this vertex sets free a length, along its way at rest: J/m.
@@ -39,12 +42,6 @@ public:
     }
 
 private:
-    // Two that were one.
-    struct Lips {
-        int vertex, copy;
-        double cost;  // J
-        double time;  // s, in which a dashpot takes all but 1 / e of how fast they part
-    };
     struct Failing {
         double times;  // of what it bears
         int vertex;
@@ -60,12 +57,15 @@ private:
     std::vector<int> trianglesAhead(int vertex) const;
     Bearing bearing(const State<Real>& state, int vertex, std::span<const int> triangles) const;
     std::array<Vec<double>, 3> placesOf(const State<Real>& state, int triangle) const;
-    double costOf(int edge) const;
-    void findLips();
-    bool mayGoOn(const Drawer<Real>& kept, const Site& site, double t) const;
+    // Whether the lips behind the end of a tear are apart, and waves have had time to come along.
+    bool mayGoOn(const State<Real>& state, const Drawer<Real>& kept, const Site& site, double times,
+                 double t) const;
+    void note(const State<Real>& state, const Cuts& cuts, const Split& split, double t,
+              Drawer<Real>& kept) const;
     void findFailing(const State<Real>& state, const Drawer<Real>& kept, double t,
                      std::vector<Failing>& failing) const;
     int pierced(const State<Real>& state, const Vec<double>& from, const Vec<double>& to) const;
+    const Spoke* edgeFor(const Failing& failing, const Vec<double>& way, double least) const;
     std::vector<int> edgesFor(const Failing& failing) const;
     std::vector<int> branchesFor(const Failing& failing) const;
     bool near(int vertex, const std::vector<int>& others) const;
@@ -76,12 +76,10 @@ private:
     std::vector<Vec<double>> rest_;  // m
     SheetStress stress_;
     std::vector<Site> sites_;
-    std::vector<double> parts_;  // by vertex of the whole: of strength and toughness
-    std::vector<Lips> lips_;
-    double waveSpeed_ = 0;  // m/s, of shear waves at rest
-    Drawer<Real>* kept_ = nullptr;
-    double from_ = 0;  // s, of the frame
-    double h_ = 0;     // s
+    std::vector<double> parts_, scatter_;  // by vertex of the whole: of strength and toughness, and
+                                           // of strength beside
+    double waveSpeed_ = 0;                 // m/s, of shear waves at rest
+    double from_ = 0;                      // s, of the frame
 };
 
 extern template class Tear<float>;

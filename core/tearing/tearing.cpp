@@ -7,7 +7,7 @@
 
 namespace plait {
 
-void letTear(World& world, Tearing tearing) {
+void holdTearing(World& world, Membrane membrane, Tearing tearing, SetOptions options) {
     const auto refuse = [&](bool bad, const char* what) {
         if (bad) throw std::invalid_argument(tearing.name + ": " + what);
     };
@@ -21,12 +21,15 @@ void letTear(World& world, Tearing tearing) {
         if (spare.last == tearing.cloth.last)
             tearable = {{tearing.cloth.first, spare.first}, spare};
     refuse(tearable.spare.size() == 0, "the cloth has no spare vertices");
-    for (const Membrane::Rubber& rubber : tearing.rubber)
+    for (const Membrane::Rubber& rubber : membrane.rubber)
         for (const int v : rubber.triangles)
             refuse(v < tearable.matter.first || v >= tearable.matter.last,
                    "a triangle is not of the cloth");
     world.tearable.push_back(tearable);
-    world.act<Tear>(std::move(tearing));
+    membrane.toughness = tearing.toughness;
+    membrane.toughnessMap = tearing.map;
+    world.act<Tear>(TornMembrane{membrane.rubber, std::move(tearing)});
+    holdMembrane(world, std::move(membrane), std::move(options));
 }
 
 }  // namespace plait

@@ -17,9 +17,7 @@ enum class Tears { never, perFrame, perSubstep };
 
 struct Tearing {
     std::string name = "tearing";
-    Range cloth;  // as World::add gave it, spare vertices and all: each copy is one of these
-    // Of the membrane that holds it: its triangles that may come apart.
-    std::vector<Membrane::Rubber> rubber;
+    Range cloth{};  // as World::add gave it, spare vertices and all: each copy is one of these
     // Pa: the greatest principal force on an area at rest that is borne where there is no tear.
     double strength = std::numeric_limits<double>::infinity();
     // J/m^2 of torn section, length times thickness at rest; 0: a tear runs on by strength alone.
@@ -35,9 +33,9 @@ struct Tearing {
     std::function<Vec<double>(double t)> needle{};
 };
 
-// Lets a sheet of a world tear; call it when all is pinned, which never comes apart. Throws
-// std::invalid_argument, naming the tearing, for cloth without spare vertices, triangles that are
-// not among its own, and numbers out of range.
-void letTear(World& world, Tearing tearing);
+// Adds a membrane to a world whose rubber, all of it of that cloth, may tear. What is pinned never
+// comes apart. Throws std::invalid_argument, naming the tearing, for cloth without spare vertices,
+// triangles that are not among its own, and numbers out of range, and what holdMembrane does.
+void holdTearing(World& world, Membrane membrane, Tearing tearing, SetOptions options);
 
 }  // namespace plait

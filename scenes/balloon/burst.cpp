@@ -73,15 +73,15 @@ Scene burst(const Knobs& knobs) {
         if (!world.isSpare(v) && world.start[v].x > side.x) side = world.start[v];
     const auto tip = [=](double t) { return side + Vec<double>{speed * (pricks - t), 0, 0}; };
 
-    holdMembrane(world, membrane, {.name = "rubber", .importance = 1});
+    holdTearing(world, membrane,
+                {.cloth = skin,
+                 .toughness = 1000 * knobs.number("toughness"),
+                 .branching = knobs.number("branching"),
+                 .needle = tip},
+                {.name = "rubber", .importance = 1});
     world.constrain(bendRows(world.complex, skin, world.rest, flexuralRigidity),
                     {.name = "bend", .order = 1, .importance = 1});
     actAir(world, {.density = 1.2, .drag = 1.2, .objects = {skin}});
-    letTear(world, {.cloth = skin,
-                    .rubber = membrane.rubber,
-                    .toughness = 1000 * knobs.number("toughness"),
-                    .branching = knobs.number("branching"),
-                    .needle = tip});
     meet(world, {{.vertices = skin, .staticFriction = 0.5, .dynamicFriction = 0.5}},
          {.order = 2, .importance = 1});
 
@@ -91,7 +91,7 @@ Scene burst(const Knobs& knobs) {
     scene.metrics = {tornLength(world, {}), selfIntersections(world, skin, {0, 0}),
                      contactFailures()};
     const double middle = neck - stretch * (party.neckLength + party.radius);
-    scene.view = viewOf({skin}, {0.01, middle - 0.01, 0}, 0.42, Material::latex, {0.35, 0.1, 2.4});
+    scene.view = viewOf({skin}, {0.01, middle + 0.015, 0}, 0.46, Material::latex, {0.35, 0.1, 2.4});
     scene.view.ground = false;
     Shape needle = turned({{0, 0}, {0.0006, 0.012}, {0.0008, 0.09}, {0, 0.09}}, 24);
     for (Vec<double>& x : needle.positions) x = {x.y, x.x, x.z};

@@ -87,9 +87,16 @@ struct Strip {
                   }));
     }
 
-    void hold() {
-        holdMembrane(world, {.rubber = {rubber}, .iterations = 60},
-                     {.name = "rubber", .importance = 1});
+    Membrane membrane() const {
+        Membrane membrane;
+        membrane.rubber = {rubber};
+        membrane.iterations = 60;
+        return membrane;
+    }
+    void hold() { holdMembrane(world, membrane(), {.name = "rubber", .importance = 1}); }
+    void holdTearing(Tearing tearing) {
+        tearing.cloth = cloth;
+        plait::holdTearing(world, membrane(), tearing, {.name = "rubber", .importance = 1});
     }
 };
 
