@@ -17,7 +17,7 @@ Look tornLook(Look look, const World& world) {
     if (!world.torn) return look;
     const auto copy = [&](auto& values) {
         if (values.empty()) return;
-        for (const Split& split : world.torn->splits())
+        for (const VertexSplit& split : world.torn->splits())
             if (look.object.first <= split.copy && split.copy < look.object.last)
                 values[split.copy - look.object.first] =
                     values[world.torn->original(split.copy) - look.object.first];

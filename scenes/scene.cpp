@@ -10,6 +10,7 @@
 #include "liquid/liquid.h"
 #include "particles/particles.h"
 #include "slinky/slinky.h"
+#include "tearing/tearing.h"
 
 #include <stdexcept>
 
@@ -386,6 +387,25 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
                     .low = 2,
                     .high = 1e6}},
          .build = burst},
+        {.name = "torn-vest",
+         .title = "Vest, torn",
+         .lesson = "A tear is as long as the pull has paid for, and stops with it",
+         .ingredients = {"rubber", "tears", "grip", "bend", "contact", "friction", "gravity", "air"},
+         .omissions = {"threads: jersey is a sheet that tears along the edges of its mesh",
+                       "what a knit keeps of a stretch"},
+         .knobs = {{.name = "pull",
+                    .meaning = "how far each hand goes",
+                    .unit = "m",
+                    .value = 0.16,
+                    .low = 0,
+                    .high = 0.4},
+                   {.name = "toughness",
+                    .meaning = "what a tear costs",
+                    .unit = "kJ/m^2",
+                    .value = 20,
+                    .low = 0.1,
+                    .high = 1000}},
+         .build = tornVest},
         {.name = "caramel",
          .title = "Caramel",
          .lesson =

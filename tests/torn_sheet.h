@@ -29,7 +29,7 @@ struct TornSheet {
         const World torn = world.tornBy(cuts);
         std::vector<Vec<double>> x = torn.rest;
         std::vector<int> right{2, 5};
-        for (const Split& split : torn.torn->splits()) right.push_back(split.copy);
+        for (const VertexSplit& split : torn.torn->splits()) right.push_back(split.copy);
         for (const int v : right) x[v].x += gap;
         return x;
     }

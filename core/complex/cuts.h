@@ -17,7 +17,7 @@ struct Tearable {
 };
 
 // A vertex that came apart, and the copy that some of its triangles have in its place.
-struct Split {
+struct VertexSplit {
     int vertex, copy;
     int cut;  // the edge by which they did
 };
@@ -39,7 +39,7 @@ public:
     // The edges that are cut, in order.
     std::span<const int> order() const { return order_; }
     // In the order in which they came; in one of several fans, later copies are of the first.
-    std::span<const Split> splits() const { return splits_; }
+    std::span<const VertexSplit> splits() const { return splits_; }
     // The vertex that it was in the whole complex.
     int original(int vertex) const { return original_[static_cast<std::size_t>(vertex)]; }
     // The vertices of triangle t of the whole complex, in the order of whole().vertices(2, t).
@@ -71,7 +71,7 @@ private:
     std::vector<int> corners_, original_, next_;  // next_: spare vertex, by tearable
     std::vector<int> region_;                     // by vertex: place in tearable_, -1
     std::vector<unsigned char> apart_;            // by vertex of the whole: it has copies
-    std::vector<Split> splits_;
+    std::vector<VertexSplit> splits_;
     std::vector<int> order_;
     Csr around_, edgesOf_, wings_;  // by vertex: triangles, edges; by edge: triangles
 };

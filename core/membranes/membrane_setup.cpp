@@ -93,7 +93,7 @@ void MembraneSet<Real>::addLips(const World& world, const Membrane& membrane) {
         owed += 0.5 * (costs[ends[0]] + costs[ends[1]]) * span;
         const std::size_t first = next;
         while (next < cuts.splits().size() && cuts.splits()[next].cut == edge) ++next;
-        for (const Split& split : cuts.splits().subspan(first, next - first)) {
+        for (const VertexSplit& split : cuts.splits().subspan(first, next - first)) {
             if (!isOurs(split.vertex) || !isOurs(split.copy)) continue;
             ends_.push_back({local(split.vertex), local(split.copy)});
             lips_.push_back({owed / static_cast<double>(next - first), -1, 0});

@@ -10,7 +10,6 @@
 namespace plait {
 namespace {
 
-constexpr int ring = 3;  // edges around the end of a tear that J is asked over
 // Times what it costs, from which on a tear need not wait until the lips behind it have parted: on
 // an irregular mesh an edge may cost more than it sets free, which the next ones pay for.
 constexpr double insists = 1.12;
@@ -56,102 +55,13 @@ void Tear<Real>::furnish(Drawer<Real>& kept) const {
 }
 
 template <class Real>
-std::array<Vec<double>, 3> Tear<Real>::placesOf(const State<Real>& state, int triangle) const {
-    const auto corners = cuts_.corners(triangle);
-    return {state.position(corners[0]), state.position(corners[1]), state.position(corners[2])};
-}
-
-// Of the mean of P = sum of p u v^T the greatest singular value and the v of it: the legs of a
-// trouser pull along a tear, but one up and one down.
-template <class Real>
-typename Tear<Real>::Bearing Tear<Real>::bearing(const State<Real>& state, int vertex,
-                                                 std::span<const int> triangles) const {
-    const Site& site = sites_[vertex];
-    const Vec<double> along = site.spokes.empty() ? Vec<double>{} : site.spokes[0].direction,
-                      e = unitOf(along - dot(along, site.normal) * site.normal),
-                      f = cross(site.normal, e);
-    Vec<double> pe{0, 0, 0}, pf{0, 0, 0};
-    double volume = 0;
-    for (const int t : triangles) {
-        if (!stress_.has(t)) continue;
-        const auto borne = stress_.borne(t, placesOf(state, t));
-        volume += stress_.volume(t);
-        for (int i = 0; i < 2; ++i) {
-            const Vec<double> p = (stress_.volume(t) * borne.force[i]) * borne.pull[i];
-            pe += dot(borne.direction[i], e) * p;
-            pf += dot(borne.direction[i], f) * p;
-        }
-    }
-    const double ee = dot(pe, pe), ef = dot(pe, pf), ff = dot(pf, pf), half = 0.5 * (ee - ff),
-                 r = squareRoot(half * half + ef * ef);
-    const double x = half > 0 ? r + half : ef, y = half > 0 ? ef : r - half;
-    return {divide(squareRoot(0.5 * (ee + ff) + r), volume), unitOf(x * e + y * f)};
-}
-
-template <class Real>
-typename Tear<Real>::Disc Tear<Real>::discAt(int vertex) const {
-    Disc disc{{vertex}, {0}, {}};
-    for (std::size_t i = 0; i < disc.vertices.size(); ++i) {
-        if (disc.steps[i] == ring) continue;
-        const Site& site = sites_[disc.vertices[i]];
-        disc.triangles.insert(disc.triangles.end(), site.triangles.begin(), site.triangles.end());
-        for (const Spoke& spoke : site.spokes) {
-            if (std::ranges::find(disc.vertices, spoke.end) != disc.vertices.end()) continue;
-            disc.vertices.push_back(spoke.end);
-            disc.steps.push_back(disc.steps[i] + 1);
-        }
-    }
-    std::ranges::sort(disc.triangles);
-    disc.triangles.erase(std::unique(disc.triangles.begin(), disc.triangles.end()),
-                         disc.triangles.end());
-    return disc;
-}
-
-// Of the disc at the end of a tear: what the tear goes through. Its lips bear nothing across it,
-// and of a trouser's legs one may be there more than the other.
-template <class Real>
-std::vector<int> Tear<Real>::trianglesAhead(int vertex) const {
-    std::vector<int> triangles = discAt(vertex).triangles;
-    const Vec<double> ahead = sites_[vertex].ahead();
-    std::erase_if(triangles, [&](int t) {
-        Vec<double> off{0, 0, 0};
-        for (const int v : cuts_.corners(t)) off += rest_[v] - rest_[vertex];
-        return dot(off, ahead) < 0;
-    });
-    return triangles;
-}
-
-// Eshelby's force on a place in the matter: with q 1 near it and 0 from `ring` edges on, minus the
-// sum over triangles of volume times (W - F^T P) grad q.
-template <class Real>
-Vec<double> Tear<Real>::drive(const State<Real>& state, int vertex) const {
-    const Disc disc = discAt(vertex);
-    Vec<double> sum{0, 0, 0};
-    for (const int t : disc.triangles) {
-        if (!stress_.has(t)) continue;
-        std::array<double, 3> q;
-        for (int c = 0; c < 3; ++c) {
-            const auto at = std::ranges::find(disc.vertices, cuts_.corners(t)[c]);
-            q[c] = at != disc.vertices.end() && disc.steps[at - disc.vertices.begin()] < ring;
-        }
-        if (q[0] == q[1] && q[1] == q[2]) continue;
-        const auto borne = stress_.borne(t, placesOf(state, t));
-        const Vec<double> slope = stress_.gradient(t, q);
-        for (int i = 0; i < 2; ++i)
-            sum -= stress_.volume(t) * (borne.energy - borne.stretch[i] * borne.force[i]) *
-                   dot(borne.direction[i], slope) * borne.direction[i];
-    }
-    return sum;
-}
-
-template <class Real>
 bool Tear<Real>::mayGoOn(const State<Real>& state, const Drawer<Real>& kept, const Site& site,
                          double times, double t) const {
     for (const Spoke& spoke : site.spokes) {
         if (spoke.triangles > 1 || spoke.end < spare_.first || spoke.end >= spare_.last) continue;
         const Real* const parting = &kept.numbers[2L * (spoke.end - spare_.first)];
         if ((t - double(parting[0])) * waveSpeed_ < spoke.length) return false;
-        const auto split = std::ranges::find(cuts_.splits(), spoke.end, &Split::copy);
+        const auto split = std::ranges::find(cuts_.splits(), spoke.end, &VertexSplit::copy);
         const double opened = length(state.position(spoke.end) - state.position(split->vertex));
         if (times < insists && opened < double(parting[1])) return false;
     }
@@ -161,8 +71,8 @@ bool Tear<Real>::mayGoOn(const State<Real>& state, const Drawer<Real>& kept, con
 // Notes when what a cut has split did so, and how far it has to open until it bears half of what it
 // did: what it costs over the force.
 template <class Real>
-void Tear<Real>::note(const State<Real>& state, const Cuts& cuts, const Split& split, double t,
-                      Drawer<Real>& kept) const {
+void Tear<Real>::note(const State<Real>& state, const Cuts& cuts, const VertexSplit& split,
+                      double t, Drawer<Real>& kept) const {
     const int whole = cuts.original(split.copy);
     const auto ends = cuts.whole().vertices(1, split.cut);
     const double span = length(rest_[ends[1]] - rest_[ends[0]]);
@@ -324,7 +234,8 @@ void Tear<Real>::settle(State<Real>& state, Drawer<Real>& kept, double t, double
                 ++kept.integers[0];
         }
         if (state.cuts.size() > cuts_.order().size()) torn.push_back(f.vertex);
-        for (const Split& split : cuts.splits().subspan(before)) note(state, cuts, split, t, kept);
+        for (const VertexSplit& split : cuts.splits().subspan(before))
+            note(state, cuts, split, t, kept);
     }
 }
 

@@ -54,13 +54,14 @@ private:
         std::vector<int> vertices, steps, triangles;
     };
     Disc discAt(int vertex) const;
+    int ringAt(const Disc& disc) const;
     std::vector<int> trianglesAhead(int vertex) const;
     Bearing bearing(const State<Real>& state, int vertex, std::span<const int> triangles) const;
     std::array<Vec<double>, 3> placesOf(const State<Real>& state, int triangle) const;
     // Whether the lips behind the end of a tear are apart, and waves have had time to come along.
     bool mayGoOn(const State<Real>& state, const Drawer<Real>& kept, const Site& site, double times,
                  double t) const;
-    void note(const State<Real>& state, const Cuts& cuts, const Split& split, double t,
+    void note(const State<Real>& state, const Cuts& cuts, const VertexSplit& split, double t,
               Drawer<Real>& kept) const;
     void findFailing(const State<Real>& state, const Drawer<Real>& kept, double t,
                      std::vector<Failing>& failing) const;

@@ -10,7 +10,7 @@ namespace {
 void bringBack(const World& world, const RunFrame& frame, std::vector<Vec<double>>& from,
                std::vector<std::int32_t>& ids) {
     const World torn = world.tornBy(frame.cuts);
-    for (const Split& split : torn.torn->splits()) {
+    for (const VertexSplit& split : torn.torn->splits()) {
         if (ids[split.copy] >= 0) continue;
         from[split.copy] = from[split.vertex];
         ids[split.copy] = frame.ids[split.copy];

@@ -80,7 +80,7 @@ Overlay Overlays::of(const RunFrame& frame) const {
         overlay.values = colors_;
         if (frame.cuts.empty()) return overlay;
         const World torn = whole_.tornBy(frame.cuts);
-        for (const Split& split : torn.torn->splits())
+        for (const VertexSplit& split : torn.torn->splits())
             overlay.values[split.copy] = colors_[torn.torn->original(split.copy)];
     } else if (name_ == "contacts") {
         overlay.values.assign(frame.touched.begin(), frame.touched.end());

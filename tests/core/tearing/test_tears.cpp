@@ -100,7 +100,7 @@ TEST_CASE("tears: copies begin where their vertices are, and as fast", "[tearing
         const State<double>& state = solver.state();
         const World now = world.tornBy(state.cuts);
         if (!now.torn) continue;
-        for (const Split& split : now.torn->splits().subspan(seen)) {
+        for (const VertexSplit& split : now.torn->splits().subspan(seen)) {
             CHECK(length(state.position(split.copy) - state.position(split.vertex)) == 0);
             CHECK(length(state.velocity[split.copy].v - state.velocity[split.vertex].v) == 0);
             CHECK(state.id[split.copy] >= 0);
@@ -210,7 +210,7 @@ TEST_CASE("tears: lips begin in one place and do not fly apart", "[tearing][CC10
         for (int f = 0; f < 3; ++f) solver.frame();
         const World now = strip.world.tornBy(solver.state().cuts);
         double gap = 0;
-        for (const Split& split : now.torn->splits())
+        for (const VertexSplit& split : now.torn->splits())
             gap = std::max(gap, length(solver.state().position(split.copy) -
                                        solver.state().position(split.vertex)));
         return gap;

@@ -42,7 +42,7 @@ inline Shape notched(const GridParameters& size, double notch, double jitter = 0
         if (on(ends[0]) && on(ends[1])) cuts.cut(e);
     }
     const int count = all.last + static_cast<int>(cuts.splits().size());
-    for (const Split& split : cuts.splits())
+    for (const VertexSplit& split : cuts.splits())
         shape.positions.push_back(shape.positions[cuts.original(split.copy)]);
     Simplices given;
     for (int t = 0; t < cuts.torn().count(2); ++t)
