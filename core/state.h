@@ -69,7 +69,8 @@ struct State {
     // what is not there.
     std::vector<std::int32_t> id, born;
     std::vector<Drawer<Real>> kept;  // by set, then by force, then the method's
-    // Edges of the world's complex in the order in which they came apart (complex/cuts.h).
+    // What has come apart, in that order: edges of the world's complex; -1 - v where the copy v has
+    // parted from its vertex for good (complex/cuts.h).
     std::vector<std::int32_t> cuts;
     bool hasPast = false;  // last and lastVelocity hold the substep before this one
     long substep = 0;      // since the start of the run

@@ -114,10 +114,11 @@ World World::releasedBy(double time) const {
 std::vector<int> World::wholes() const {
     std::vector<int> names;
     if (tearable.empty()) return names;
-    for (int v = 0; v < complex.count(0); ++v) names.push_back(torn ? torn->original(v) : v);
+    for (int v = 0; v < complex.count(0); ++v)
+        names.push_back(torn && !torn->isParted(v) ? torn->original(v) : v);
     for (const auto& [matter, copies] : tearable)
         for (int v = copies.first; v < copies.last; ++v)
-            if (names[v] == v) names[v] = -1;
+            if (!torn || torn->original(v) == v) names[v] = -1;
     return names;
 }
 
@@ -128,11 +129,11 @@ Cuts World::uncut() const {
     return Cuts(complex, tearable, held);
 }
 
-World World::tornBy(std::span<const std::int32_t> edges) const {
+World World::tornBy(std::span<const std::int32_t> entries) const {
     World now = *this;
-    if (edges.empty()) return now;
+    if (entries.empty()) return now;
     const auto cuts = std::make_shared<Cuts>(uncut());
-    for (const std::int32_t edge : edges) cuts->cut(edge);
+    for (const std::int32_t entry : entries) cuts->take(entry);
     now.complex = cuts->torn();
     for (const auto& [vertex, copy, cut] : cuts->splits()) {
         now.rest[copy] = rest[cuts->original(copy)];

@@ -134,12 +134,12 @@ struct World {
     // How many releases have come by `time`, and the world with these.
     int releasesBy(double time) const;
     World releasedBy(double time) const;
-    // The world where these edges of its complex have come apart, in this order: copies lie where
+    // The world where this has come apart (State::cuts), in this order: copies lie where
     // their vertices do, and have their part of the mass, by rest area. What is made from it knows
     // by `torn` what its vertices are called now.
-    World tornBy(std::span<const std::int32_t> edges) const;
-    // By vertex: which vertex it is a copy of, or itself; -1 of a spare one of what may come apart
-    // that is not there yet. Empty where nothing may.
+    World tornBy(std::span<const std::int32_t> entries) const;
+    // By vertex: which vertex it is a copy of, until it has parted from that, or itself; -1 of a
+    // spare one of what may come apart that is not there yet. Empty where nothing may.
     std::vector<int> wholes() const;
     // How it comes apart, from the first on; what is pinned, now or until a release, does not.
     Cuts uncut() const;

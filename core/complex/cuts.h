@@ -32,6 +32,15 @@ public:
     // than two triangles, lies in nothing that may come apart, or there are no spare vertices left.
     bool cut(int edge);
 
+    // An entry of State::cuts: an edge to cut, or -1 - v: the copy v is now clear of what it was.
+    void take(int entry) {
+        if (entry < 0)
+            parted_[static_cast<std::size_t>(-1 - entry)] = 1;
+        else
+            cut(entry);
+    }
+    bool isParted(int copy) const { return parted_[static_cast<std::size_t>(copy)] != 0; }
+
     const SimplicialComplex& whole() const { return whole_; }
     bool isCut(int edge) const { return cut_[static_cast<std::size_t>(edge)] != 0; }
     bool isHeld(int vertex) const { return held_[static_cast<std::size_t>(vertex)] != 0; }
@@ -67,7 +76,7 @@ private:
 
     SimplicialComplex whole_;
     std::vector<Tearable> tearable_;
-    std::vector<unsigned char> held_, cut_;
+    std::vector<unsigned char> held_, cut_, parted_;
     std::vector<int> corners_, original_, next_;  // next_: spare vertex, by tearable
     std::vector<int> region_;                     // by vertex: place in tearable_, -1
     std::vector<unsigned char> apart_;            // by vertex of the whole: it has copies

@@ -21,8 +21,6 @@ Range spareOf(const World& world, const Tearing& tearing) {
     return {};
 }
 
-Vec<double> unitOf(const Vec<double>& v) { return divide(1.0, length(v)) * v; }
-
 }  // namespace
 
 template <class Real>
@@ -207,6 +205,20 @@ bool Tear<Real>::near(int vertex, const std::vector<int>& others) const {
     });
 }
 
+// From a quarter of an edge on, twice the thickness at most that a surface has by itself, contacts
+// may keep it from coming back through what it parted from.
+template <class Real>
+void Tear<Real>::noteParted(State<Real>& state) const {
+    for (const VertexSplit& split : cuts_.splits()) {
+        if (cuts_.isParted(split.copy) || split.copy < spare_.first || split.copy >= spare_.last)
+            continue;
+        const auto ends = cuts_.whole().vertices(1, split.cut);
+        const double span = length(rest_[ends[1]] - rest_[ends[0]]),
+                     apart = length(state.position(split.copy) - state.position(split.vertex));
+        if (apart > 0.25 * span) state.cuts.push_back(-1 - split.copy);
+    }
+}
+
 // The worst first; what is within two edges of it has to wait for what that changes.
 template <class Real>
 void Tear<Real>::settle(State<Real>& state, Drawer<Real>& kept, double t, double h) {
@@ -220,12 +232,13 @@ void Tear<Real>::settle(State<Real>& state, Drawer<Real>& kept, double t, double
         if (v >= 0 && !cuts_.isHeld(cuts_.original(v)))
             failing.insert(failing.begin(), {infinity, v, bearing(state, v).normal, {}});
     }
+    noteParted(state);
     if (failing.empty()) return;
     Cuts cuts = cuts_;
     std::vector<int> torn;
     for (const Failing& f : failing) {
         if (near(f.vertex, torn)) continue;
-        const std::size_t before = cuts.splits().size();
+        const std::size_t before = cuts.splits().size(), edges = cuts.order().size();
         const bool splits = sites_[f.vertex].endsTear() && f.times > tearing_.branching;
         for (const int edge : splits ? branchesFor(f) : edgesFor(f)) {
             if (cuts.cut(edge))
@@ -233,7 +246,7 @@ void Tear<Real>::settle(State<Real>& state, Drawer<Real>& kept, double t, double
             else
                 ++kept.integers[0];
         }
-        if (state.cuts.size() > cuts_.order().size()) torn.push_back(f.vertex);
+        if (cuts.order().size() > edges) torn.push_back(f.vertex);
         for (const VertexSplit& split : cuts.splits().subspan(before))
             note(state, cuts, split, t, kept);
     }

@@ -69,6 +69,7 @@ private:
     const Spoke* edgeFor(const Failing& failing, const Vec<double>& way, double least) const;
     std::vector<int> edgesFor(const Failing& failing) const;
     std::vector<int> branchesFor(const Failing& failing) const;
+    void noteParted(State<Real>& state) const;
     bool near(int vertex, const std::vector<int>& others) const;
 
     Tearing tearing_;

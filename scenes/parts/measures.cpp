@@ -114,7 +114,7 @@ Metric selfIntersections(const World& world, Range range, Band band) {
                         };
                         if (at.cuts.empty()) return count(whole);
                         Cuts cuts = *uncut;
-                        for (const int edge : at.cuts) cuts.cut(edge);
+                        for (const int entry : at.cuts) cuts.take(entry);
                         return count(meshOf(cuts.torn(), range));
                     });
 }
@@ -127,7 +127,7 @@ Metric tornLength(const World& world, Band band) {
     }
     return metricOf("torn", "mm", band, [=](const Snapshot& at) {
         double sum = 0;
-        for (const int edge : at.cuts) sum += lengths[edge];
+        for (const int entry : at.cuts) sum += entry < 0 ? 0 : lengths[entry];
         return 1000 * sum;
     });
 }

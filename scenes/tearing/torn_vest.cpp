@@ -112,18 +112,20 @@ Scene tornVest(const Knobs& knobs) {
                      contactFailures()};
 
     View& view = scene.view;
-    view = viewOf({cloth}, {0, hem + 0.42 * tall, 0}, 0.85, Material::cotton, {0.35, 0.12, 2.6});
+    view = viewOf({cloth}, {0, hem + 0.4 * tall, 0}, 0.8, Material::cotton, {0.35, 0.12, 2.6});
     view.looks[0].color = {0.36, 0.42, 0.5};
     view.groundHeight = 0;
-    addBar(view, {-0.24, hem + tall, 0}, {0.24, hem + tall, 0}, 0.006, Material::brass);
     for (const double side : {-1.0, 1.0}) {
+        const std::size_t first = view.props.size();
         addBar(view, {0, 0, -0.01}, {0, 0, 0.03}, 0.012, Material::brass);
-        view.props.back().motion = [hand = handOf(side, pull)](double t) {
-            Frame frame = hand(std::min(t, released));
-            if (t > released) frame.origin.z += 0.5 * (t - released) * (t - released);
-            return frame;
-        };
+        for (std::size_t p = first; p < view.props.size(); ++p)
+            view.props[p].motion = [hand = handOf(side, pull)](double t) {
+                Frame frame = hand(std::min(t, released));
+                if (t > released) frame.origin.z += 0.5 * (t - released) * (t - released);
+                return frame;
+            };
     }
+    addBar(view, {-0.24, hem + tall, 0}, {0.24, hem + tall, 0}, 0.006, Material::brass);
     return scene;
 }
 

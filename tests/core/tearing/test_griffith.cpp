@@ -31,6 +31,7 @@ int tipOf(const World& world, double notch, double middle) {
 double tornLength(const World& world, std::span<const std::int32_t> cuts) {
     double sum = 0;
     for (const int e : cuts) {
+        if (e < 0) continue;
         const auto ends = world.complex.vertices(1, e);
         sum += length(world.rest[ends[1]] - world.rest[ends[0]]);
     }
