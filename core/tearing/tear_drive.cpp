@@ -79,14 +79,15 @@ std::vector<int> Tear<Real>::trianglesAhead(int vertex) const {
     return triangles;
 }
 
-// How many edges around the end of a tear J may be asked over: no border may come nearer but the
-// tear's own lips, as far as they run on without a corner.
+// How many edges around the end of a tear J may be asked over: no border may come nearer, nor
+// another end, but the tear's own lips, as far as they run on without a corner.
 template <class Real>
 int Tear<Real>::ringAt(const Disc& disc) const {
     std::vector<int> lips{disc.vertices[0]};
     for (std::size_t i = 0; i < lips.size(); ++i)
         for (const Spoke& spoke : sites_[lips[i]].spokes) {
-            if (spoke.triangles > 1 || sites_[spoke.end].angle < straight) continue;
+            const Site& next = sites_[spoke.end];
+            if (spoke.triangles > 1 || next.angle < straight || next.endsTear()) continue;
             if (std::ranges::find(lips, spoke.end) == lips.end() && i < 2 * ring)
                 lips.push_back(spoke.end);
         }

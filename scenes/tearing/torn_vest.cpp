@@ -52,7 +52,8 @@ Metric tornOn(Range cloth) {
             .measure =
                 [=](const Snapshot& at) {
                     double sum = 0;
-                    for (int v = cloth.first; v < cloth.last && at.time > released; ++v)
+                    if (at.ages.empty() || at.time <= released) return sum;
+                    for (int v = cloth.first; v < cloth.last; ++v)
                         sum += at.isHere(v) &&
                                at.ages[static_cast<std::size_t>(v)] < at.time - released - 1e-9;
                     return sum;

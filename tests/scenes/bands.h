@@ -29,9 +29,11 @@ inline std::vector<Vec<double>> holdToBands(const Scene& scene, int frames) {
     for (int frame = 1; frame <= frames; ++frame) {
         solver.frame();
         const std::vector<Vec<double>> x = solver.positions(), v = solver.velocities();
+        const std::vector<double> ages = solver.ages();
         for (std::size_t i = 0; i < most.size(); ++i) {
             const Metric& metric = scene.metrics[i];
-            const double value = metric.measure({x, v, solver.time(), frame, solver.failures()});
+            const double value = metric.measure({x, v, solver.time(), frame, solver.failures(),
+                                                 solver.state().id, ages, solver.state().cuts});
             most[i] = std::max(most[i], value);
             if (solver.time() < metric.from) continue;
             INFO(metric.name << " in frame " << frame);
