@@ -658,7 +658,7 @@ std::span<const SceneEntry> scenes() {  // NOLINT(readability-function-size): a 
          .knobs = {{.name = "pull",
                     .meaning = "how far each hand goes",
                     .unit = "m",
-                    .value = 0.16,
+                    .value = 0.13,
                     .low = 0,
                     .high = 0.4},
                    {.name = "toughness",

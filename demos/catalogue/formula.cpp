@@ -14,8 +14,8 @@ const std::map<std::string, std::string> formulaLetters{
     {"alpha", "α"}, {"beta", "β"},  {"gamma", "γ"}, {"delta", "δ"},  {"epsilon", "ε"},
     {"eta", "η"},   {"theta", "θ"}, {"kappa", "κ"}, {"lambda", "λ"}, {"mu", "μ"},
     {"nu", "ν"},    {"pi", "π"},    {"rho", "ρ"},   {"sigma", "σ"},  {"tau", "τ"},
-    {"phi", "φ"},   {"psi", "ψ"},   {"omega", "ω"}, {"Delta", "Δ"},  {"Omega", "Ω"},
-    {"infty", "∞"}, {"ell", "ℓ"}};
+    {"phi", "φ"},   {"psi", "ψ"},   {"omega", "ω"}, {"Delta", "Δ"},  {"Gamma", "Γ"},
+    {"Omega", "Ω"}, {"infty", "∞"}, {"ell", "ℓ"}};
 const std::map<std::string, std::string> formulaSigns{
     {"cdot", "·"},    {"times", "×"}, {"le", "≤"},     {"ge", "≥"},        {"ne", "≠"},
     {"approx", "≈"},  {"to", "→"},    {"gets", "←"},   {"in", "∈"},        {"nabla", "∇"},

@@ -176,6 +176,6 @@ TEST_CASE("leak: only what is isothermal and goes into a gas leaks", "[gas]") {
         membrane.gases.push_back(
             {enclosure, gas, {}, {.hole = {enclosure.caps().begin(), enclosure.caps().end()}}});
         CHECK_THROWS_WITH(holdMembrane(world, membrane, {.name = "rubber"}),
-                          "rubber: what leaks is isothermal, and goes into a gas");
+                          "rubber: what leaks or bursts is isothermal, and goes into a gas");
     }
 }
