@@ -19,7 +19,8 @@ struct PartyBalloon {
     double pressure(double stretch) const;
 };
 
-// A ball at rest with its neck up and closed, the end of that at `top`, and spare vertices behind it.
+// A ball at rest with its neck up and closed, the end of that at `top`, and spare vertices behind
+// it.
 Range addBalloon(World& world, const PartyBalloon& balloon, int subdivisions,
                  const Vec<double>& top, int spare = 0);
 
