@@ -226,7 +226,12 @@ void Tear<Real>::settle(State<Real>& state, Drawer<Real>& kept, double t, double
                        (tearing_.asked == Tears::perFrame && t - h < from_ + 0.5 * h);
     if (!asked) return;
     std::vector<Failing> failing;
+    if (tearing_.strength < infinity)
+        for (int n = 0; n < cuts_.whole().count(2); ++n)
+            borne_.push_back(stress_.has(n) ? stress_.borne(n, placesOf(state, n))
+                                            : SheetStress::Borne{});
     findFailing(state, kept, t, failing);
+    borne_.clear();
     if (tearing_.needle) {
         const int v = pierced(state, tearing_.needle(t - h), tearing_.needle(t));
         if (v >= 0 && !cuts_.isHeld(cuts_.original(v)))

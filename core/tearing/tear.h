@@ -58,6 +58,10 @@ private:
     std::vector<int> trianglesAhead(int vertex) const;
     Bearing bearing(const State<Real>& state, int vertex, std::span<const int> triangles) const;
     std::array<Vec<double>, 3> placesOf(const State<Real>& state, int triangle) const;
+    SheetStress::Borne borneAt(const State<Real>& state, int triangle) const {
+        return borne_.empty() ? stress_.borne(triangle, placesOf(state, triangle))
+                              : borne_[static_cast<std::size_t>(triangle)];
+    }
     // Whether the lips behind the end of a tear are apart, and waves have had time to come along.
     bool mayGoOn(const State<Real>& state, const Drawer<Real>& kept, const Site& site, double times,
                  double t) const;
@@ -80,8 +84,9 @@ private:
     std::vector<Site> sites_;
     std::vector<double> parts_, scatter_;  // by vertex of the whole: of strength and toughness, and
                                            // of strength beside
-    double waveSpeed_ = 0;                 // m/s, of shear waves at rest
-    double from_ = 0;                      // s, of the frame
+    std::vector<SheetStress::Borne> borne_;  // by triangle, while all vertices are asked
+    double waveSpeed_ = 0;                   // m/s, of shear waves at rest
+    double from_ = 0;                        // s, of the frame
 };
 
 extern template class Tear<float>;

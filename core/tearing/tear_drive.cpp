@@ -32,7 +32,7 @@ typename Tear<Real>::Bearing Tear<Real>::bearing(const State<Real>& state, int v
     double volume = 0;
     for (const int t : triangles) {
         if (!stress_.has(t)) continue;
-        const auto borne = stress_.borne(t, placesOf(state, t));
+        const auto borne = borneAt(state, t);
         volume += stress_.volume(t);
         for (int i = 0; i < 2; ++i) {
             const Vec<double> p = (stress_.volume(t) * borne.force[i]) * borne.pull[i];
@@ -114,7 +114,7 @@ Vec<double> Tear<Real>::drive(const State<Real>& state, int vertex) const {
             q[c] = at != disc.vertices.end() && disc.steps[at - disc.vertices.begin()] < around;
         }
         if (q[0] == q[1] && q[1] == q[2]) continue;
-        const auto borne = stress_.borne(t, placesOf(state, t));
+        const auto borne = borneAt(state, t);
         const Vec<double> slope = stress_.gradient(t, q);
         for (int i = 0; i < 2; ++i)
             sum -= stress_.volume(t) * (borne.energy - borne.stretch[i] * borne.force[i]) *

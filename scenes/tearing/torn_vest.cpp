@@ -63,6 +63,31 @@ Metric tornOn(Range cloth) {
             .high = 3};
 }
 
+void addHand(World& world, Range cloth, double side, double pull) {
+    const std::vector<int> held = world.select(cloth, [&](const Vec<double>& x) {
+        return std::hypot(x.x - side * grasp, x.y - hem - 0.01) < reach && x.z > 0;
+    });
+    addGrip(world, {.vertices = held, .hand = handOf(side, pull), .from = 0, .to = released},
+            {.name = side < 0 ? "left hand" : "right hand"});
+}
+
+void look(View& view, Range cloth, double pull) {
+    view = viewOf({cloth}, {0, hem + 0.4 * tall, 0}, 0.8, Material::cotton, {0.35, 0.12, 2.6});
+    view.looks[0].color = {0.36, 0.42, 0.5};
+    view.groundHeight = 0;
+    for (const double side : {-1.0, 1.0}) {
+        const std::size_t first = view.props.size();
+        addBar(view, {0, 0, -0.01}, {0, 0, 0.03}, 0.012, Material::brass);
+        for (std::size_t p = first; p < view.props.size(); ++p)
+            view.props[p].motion = [hand = handOf(side, pull)](double t) {
+                Frame frame = hand(std::min(t, released));
+                if (t > released) frame.origin.z += 0.5 * (t - released) * (t - released);
+                return frame;
+            };
+    }
+    addBar(view, {-0.24, hem + tall, 0}, {0.24, hem + tall, 0}, 0.006, Material::brass);
+}
+
 }  // namespace
 
 Scene tornVest(const Knobs& knobs) {
@@ -76,14 +101,7 @@ Scene tornVest(const Knobs& knobs) {
     });
     world.pin(shoulders);
     const double pull = knobs.number("pull");
-    for (const double side : {-1.0, 1.0}) {
-        const Posing hand = handOf(side, pull);
-        std::vector<int> held = world.select(cloth, [&](const Vec<double>& x) {
-            return std::hypot(x.x - side * grasp, x.y - hem - 0.01) < reach && x.z > 0;
-        });
-        addGrip(world, {.vertices = held, .hand = hand, .from = 0, .to = released},
-                {.name = side < 0 ? "left hand" : "right hand"});
-    }
+    for (const double side : {-1.0, 1.0}) addHand(world, cloth, side, pull);
 
     Membrane membrane;
     membrane.rubber.push_back({.triangles = triangleStencils(world.complex, cloth),
@@ -114,21 +132,7 @@ Scene tornVest(const Knobs& knobs) {
     scene.metrics = {tornLength(world, {}), tornOn(cloth), selfIntersections(world, cloth, {0, 10}),
                      contactFailures()};
 
-    View& view = scene.view;
-    view = viewOf({cloth}, {0, hem + 0.4 * tall, 0}, 0.8, Material::cotton, {0.35, 0.12, 2.6});
-    view.looks[0].color = {0.36, 0.42, 0.5};
-    view.groundHeight = 0;
-    for (const double side : {-1.0, 1.0}) {
-        const std::size_t first = view.props.size();
-        addBar(view, {0, 0, -0.01}, {0, 0, 0.03}, 0.012, Material::brass);
-        for (std::size_t p = first; p < view.props.size(); ++p)
-            view.props[p].motion = [hand = handOf(side, pull)](double t) {
-                Frame frame = hand(std::min(t, released));
-                if (t > released) frame.origin.z += 0.5 * (t - released) * (t - released);
-                return frame;
-            };
-    }
-    addBar(view, {-0.24, hem + tall, 0}, {0.24, hem + tall, 0}, 0.006, Material::brass);
+    look(scene.view, cloth, pull);
     return scene;
 }
 
