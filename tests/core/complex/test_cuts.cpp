@@ -133,7 +133,7 @@ TEST_CASE("cuts: what is refused changes nothing", "[tearing][AT7]") {
     CHECK(pinned.splits().empty());  // what is held stays whole
 }
 
-TEST_CASE("cuts: stencils follow the triangles they lie in", "[tearing][AT7]") {
+TEST_CASE("cuts: stencils follow the triangles they lie in", "[tearing][AT7][AT19]") {
     Sheet sheet(8);
     Cuts cuts = sheet.cuts();
     for (int c = 0; c < 2; ++c) CHECK(cuts.cut(sheet.edge(10 + c, 11 + c)));
