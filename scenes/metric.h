@@ -24,7 +24,7 @@ struct Snapshot {
     // not there; its age (s), below 0 likewise.
     std::span<const std::int32_t> ids = {};
     std::span<const double> ages = {};
-    // Edges that have come apart, in order (complex/cuts.h).
+    // What has come apart by then, in order (State::cuts).
     std::span<const std::int32_t> cuts = {};
 
     bool isHere(int v) const { return ids.empty() || ids[static_cast<std::size_t>(v)] >= 0; }

@@ -16,7 +16,6 @@ Cuts::Cuts(SimplicialComplex whole, std::vector<Tearable> tearable,
       original_(static_cast<std::size_t>(whole_.count(0))),
       region_(original_.size(), -1),
       apart_(original_.size()),
-      edgesOf_(whole_.parents(0)),
       wings_(whole_.parents(1)) {
     std::iota(original_.begin(), original_.end(), 0);
     std::vector<std::vector<int>> around(original_.size());

@@ -82,7 +82,7 @@ private:
     std::vector<unsigned char> apart_;            // by vertex of the whole: it has copies
     std::vector<VertexSplit> splits_;
     std::vector<int> order_;
-    Csr around_, edgesOf_, wings_;  // by vertex: triangles, edges; by edge: triangles
+    Csr around_, wings_;  // triangles, by vertex and by edge
 };
 
 }  // namespace plait

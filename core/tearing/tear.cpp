@@ -1,6 +1,5 @@
 #include "tear.h"
 
-#include "../numbers/convert.h"
 #include "../numbers/elementary.h"
 #include "../numbers/splitmix.h"
 
@@ -97,9 +96,10 @@ void Tear<Real>::findFailing(const State<Real>& state, const Drawer<Real>& kept,
     // back along them would shatter what is under stress (Marder, "Supersonic rupture of rubber",
     // 2006, has to toughen them as well).
     std::vector<unsigned char> led(sites_.size());
-    for (int v = tearing_.cloth.first; v < tearing_.cloth.last; ++v)
+    const bool breaks = tearing_.strength < infinity;
+    for (int v = tearing_.cloth.first; v < tearing_.cloth.last && breaks; ++v)
         if (sites_[v].endsTear())
-            for (const int near : discAt(v).vertices) led[near] = 1;
+            for (const int other : discAt(v).vertices) led[other] = 1;
     for (int v = tearing_.cloth.first; v < tearing_.cloth.last; ++v) {
         const Site& site = sites_[v];
         const int whole = cuts_.original(v);
@@ -116,8 +116,7 @@ void Tear<Real>::findFailing(const State<Real>& state, const Drawer<Real>& kept,
                          (tearing_.toughness * parts_[whole] * thickness);
             if (next.times > 1 && mayGoOn(state, kept, site, next.times, t))
                 failing.push_back(next);
-        } else if (tearing_.strength < infinity &&
-                   (site.endsTear() || !(led[v] || cuts_.isApart(whole)))) {
+        } else if (breaks && (site.endsTear() || !(led[v] || cuts_.isApart(whole)))) {
             const Bearing most = bearing(state, v);
             const double times = most.force / (tearing_.strength * parts_[whole] * scatter_[whole]);
             if (times > 1) failing.push_back({times, v, most.normal, ahead});

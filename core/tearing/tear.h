@@ -5,7 +5,6 @@
 #include "stress.h"
 #include "tearing.h"
 
-#include <optional>
 #include <vector>
 
 namespace plait {

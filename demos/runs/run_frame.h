@@ -37,7 +37,7 @@ struct RunFrame {
     // Of sources, as Snapshot has them; empty where nothing comes or goes.
     std::vector<std::int32_t> ids = {};
     std::vector<double> ages = {};  // s
-    // Edges that have come apart by then, in order (State::cuts).
+    // What has come apart by then, in order (State::cuts).
     std::vector<std::int32_t> cuts = {};
 };
 
