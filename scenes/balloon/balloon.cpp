@@ -98,9 +98,7 @@ Scene balloon(const Knobs& knobs) {
     world.act<Gravity>(GravityOptions{});
     actAir(world, {.density = 1.2, .drag = 1, .objects = {skin}});
     Membrane membrane;
-    membrane.rubber.push_back({{}, {party.wall}, party.rubber});
-    for (const auto& t : enclosure.triangles)
-        membrane.rubber[0].triangles.insert(membrane.rubber[0].triangles.end(), t.begin(), t.end());
+    membrane.rubber.push_back(rubberOf(enclosure, party, party.wall));
     const auto amount = [=](double t) { return amountAt(party, rest, stretch, t); };
     membrane.gases.push_back({enclosure, {.amount = amount(0)}, amount});
     // With one column a substep rubber and bending push each other about, until what is limp flies

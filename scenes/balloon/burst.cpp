@@ -29,9 +29,7 @@ constexpr double flexuralRigidity = 2.2e-6;  // N m
 
 Membrane membraneOf(const Enclosure& enclosure, const PartyBalloon& party, double amount) {
     Membrane membrane;
-    membrane.rubber.push_back({{}, {party.wall}, party.rubber});
-    for (const auto& t : enclosure.triangles)
-        membrane.rubber[0].triangles.insert(membrane.rubber[0].triangles.end(), t.begin(), t.end());
+    membrane.rubber.push_back(rubberOf(enclosure, party, party.wall));
     membrane.gases.push_back({.enclosure = enclosure, .gas = {.amount = amount}, .bursts = true});
     return membrane;
 }

@@ -119,6 +119,13 @@ OpenBalloon addOpenBalloon(World& world, const PartyBalloon& balloon, int subdiv
     return open;
 }
 
+Membrane::Rubber rubberOf(const Enclosure& enclosure, const PartyBalloon& balloon, double wall) {
+    Membrane::Rubber rubber{{}, {wall}, balloon.rubber};
+    for (const auto& t : enclosure.triangles)
+        rubber.triangles.insert(rubber.triangles.end(), t.begin(), t.end());
+    return rubber;
+}
+
 double amountFor(const PartyBalloon& balloon, double rest, double stretch) {
     return (air + balloon.pressure(stretch)) * rest * stretch * stretch * stretch;
 }

@@ -32,6 +32,9 @@ struct OpenBalloon {
 OpenBalloon addOpenBalloon(World& world, const PartyBalloon& balloon, int subdivisions,
                            const Vec<double>& mouth, const Vec<double>& out);
 
+// All that encloses the gas, of the balloon's rubber, its wall `wall` (m) thick.
+Membrane::Rubber rubberOf(const Enclosure& enclosure, const PartyBalloon& balloon, double wall);
+
 // J: n R T of the gas in it, stretched so many times, where `rest` is its volume (m^3) at rest.
 double amountFor(const PartyBalloon& balloon, double rest, double stretch);
 

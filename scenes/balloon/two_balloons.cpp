@@ -59,10 +59,7 @@ Scene twoBalloons(const Knobs& knobs) {
         each[b] = enclose(world, {skins[b]});
         // The second is as much thicker as balloons are unlike each other.
         membrane.rubber.push_back(
-            {{}, {party.wall * (b ? 1 + knobs.number("thicker") : 1)}, party.rubber});
-        for (const auto& t : each[b].triangles)
-            membrane.rubber[b].triangles.insert(membrane.rubber[b].triangles.end(), t.begin(),
-                                                t.end());
+            rubberOf(each[b], party, party.wall * (b ? 1 + knobs.number("thicker") : 1)));
     }
     const Enclosure both = enclose(world, {skins[0], skins[1]}, {.name = "balloons"});
     const double rest = volume(each[0], world.rest);
