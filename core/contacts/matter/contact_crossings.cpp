@@ -37,18 +37,28 @@ void ContactSet<Real>::check(const Pairing& pair, std::vector<Contact>& list) co
         list.push_back({.pair = pair, .distance = distance, .gap = gap});
 }
 
-// No vertex is further from where it was heading than contacts reach: what crosses is among them.
+// Who is further from where it was heading than contacts reach: of all others, what crosses is
+// among them. False where these are too many to be asked about one by one.
 template <class Real>
-bool ContactSet<Real>::asForeseen(Workers& workers) const {
+bool ContactSet<Real>::findStrays(Workers& workers) {
     if (!ready_) return false;
-    std::atomic<bool> all{true};
+    isStray_.resize(end_.size());
+    std::atomic<bool> any{false};
     workers.forBlocks(static_cast<int>(end_.size()), 1024, [&](int begin, int end) {
+        bool some = false;
         for (int v = begin; v < end; ++v) {
             const Vec<double> d = end_[v] - heading_[v];
-            if (!(4 * dot(d, d) < slack_ * slack_)) all = false;
+            isStray_[v] = search_.surfaceOf(v) >= 0 && !(4 * dot(d, d) < slack_ * slack_);
+            some |= isStray_[v] != 0;
         }
+        if (some) any = true;
     });
-    return all;
+    strays_.clear();
+    if (!any) return true;
+    const auto most = std::ssize(end_) / 64;
+    for (int v = 0; v < std::ssize(end_) && std::ssize(strays_) <= most; ++v)
+        if (isStray_[v]) strays_.push_back(v);
+    return std::ssize(strays_) <= most;
 }
 
 // Finds where vertices are heading, and which of them elsewhere than when that was last asked in
@@ -81,31 +91,46 @@ void ContactSet<Real>::cross(const Sweep<Real>& sweep, Workers& workers) {
 // Of those that have not moved the same cross as before.
 template <class Real>
 void ContactSet<Real>::crossMoved(const Sweep<Real>& sweep, Workers& workers) {
-    const auto moved = [&](const std::array<int, 4>& v) {
-        return moved_[v[0]] || moved_[v[1]] || moved_[v[2]] || moved_[v[3]];
-    };
-    if (asForeseen(workers)) {
-        constexpr int block = 1024;
-        parts_.resize(std::max(parts_.size(), std::size_t(foreseen_ / block + 1)));
-        for (auto& part : parts_) part.clear();
-        workers.forBlocks(foreseen_ / block + 1, 1, [&](int begin, int end) {
-            for (int b = begin; b < end; ++b)
-                for (int i = b * block; i < std::min((b + 1) * block, foreseen_); ++i)
-                    if (moved(watches_[i].vertices) && !clear(sweep, watches_[i]))
-                        check(contacts_[i].pair, parts_[b]);
-        });
-    } else {
+    if (!crossForeseen(sweep, workers)) {
         counts_.searches += search_.cover(start_, end_, slack_, workers);
         search_.collect(
             parts_, 0.5 * widest_, workers,
             [&](const Pairing& pair, std::vector<Contact>& list) { check(pair, list); }, moved_);
     }
     for (const Contact& c : crossing_)
-        if (!moved(c.pair.vertices)) check(c.pair, parts_.front());
-    sortParts();
+        if (!hasMoved(c.pair.vertices)) check(c.pair, parts_.front());
+    sortParts(workers);
     crossing_.clear();
     for (const Contact* const c : ordered_) crossing_.push_back(*c);
     counts_.impacts += static_cast<long>(crossing_.size());
+}
+
+// Contacts, and what is round those that have strayed from where it was looked.
+template <class Real>
+bool ContactSet<Real>::crossForeseen(const Sweep<Real>& sweep, Workers& workers) {
+    if (!findStrays(workers)) return false;
+    std::optional<std::vector<Pairing>> round;
+    if (!strays_.empty()) {
+        round = search_.around(strays_, start_, end_, slack_, workers);
+        if (!round) return false;
+    }
+    const auto isAsked = [&](const std::array<int, 4>& v) {
+        return hasMoved(v) &&
+               !(isStray_[v[0]] || isStray_[v[1]] || isStray_[v[2]] || isStray_[v[3]]);
+    };
+    constexpr int block = 1024;
+    parts_.resize(std::max(parts_.size(), std::size_t(foreseen_ / block + 1)));
+    for (auto& part : parts_) part.clear();
+    workers.forBlocks(foreseen_ / block + 1, 1, [&](int begin, int end) {
+        for (int b = begin; b < end; ++b)
+            for (int i = b * block; i < std::min((b + 1) * block, foreseen_); ++i)
+                if (isAsked(watches_[i].vertices) && !clear(sweep, watches_[i]))
+                    check(contacts_[i].pair, parts_[b]);
+    });
+    if (round)
+        for (const Pairing& pair : *round)
+            if (hasMoved(pair.vertices)) check(pair, parts_.front());
+    return true;
 }
 
 template <class Real>

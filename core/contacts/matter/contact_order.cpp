@@ -12,7 +12,7 @@ namespace plait {
 // All parts in one list, in an order that depends on nothing but what is in it. Linear in the
 // contacts, but for the few of one first vertex.
 template <class Real>
-void ContactSet<Real>::sortParts() {
+void ContactSet<Real>::sortParts(Workers& workers) {
     const auto vertices = start_.size();
     const auto place = [&](const Contact& c) -> int& {
         const std::array<int, 2> group = groupOf(c.pair);
@@ -28,13 +28,12 @@ void ContactSet<Real>::sortParts() {
     ordered_.resize(count);
     for (auto& part : parts_)
         for (Contact& c : part) ordered_[place(c)++] = &c;
-    int begin = 0;
-    for (const int end : places_) {
-        std::ranges::sort(
-            ordered_.begin() + begin, ordered_.begin() + end, {},
-            [&](const Contact* c) { return std::pair(groupOf(c->pair), c->pair.vertices); });
-        begin = end;
-    }
+    workers.forBlocks(static_cast<int>(places_.size()), 1024, [&](int first, int last) {
+        for (int i = first; i < last; ++i)
+            std::ranges::sort(
+                ordered_.begin() + (i ? places_[i - 1] : 0), ordered_.begin() + places_[i], {},
+                [&](const Contact* c) { return std::pair(groupOf(c->pair), c->pair.vertices); });
+    });
 }
 
 template <class Real>
@@ -77,7 +76,7 @@ void ContactSet<Real>::group() {
 
 // Linear in the contacts. What is pinned is only read and needs no colour.
 template <class Real>
-void ContactSet<Real>::colour() {
+void ContactSet<Real>::colour(Workers& workers) {
     group();
     std::ranges::fill(taken_, std::uint64_t{0});
     colors_.fill(0);
@@ -101,15 +100,17 @@ void ContactSet<Real>::colour() {
     contacts_.resize(ordered_.size());
     watches_.resize(ordered_.size());
     near_.resize(ordered_.size());
+    to_.resize(std::size_t(count));
     evaluation_ = 0;
     next = colors_;
-    for (int g = 0; g < count; ++g) {
-        int n = groups_[next[ordered_[members_[g]]->color]++];
-        for (int i = members_[g]; i < members_[g + 1]; ++i, ++n) {
-            contacts_[n] = *ordered_[i];
-            watches_[n] = contacts_[n].watch;
-        }
-    }
+    for (int g = 0; g < count; ++g) to_[g] = groups_[next[ordered_[members_[g]]->color]++];
+    workers.forBlocks(count, 1024, [&](int first, int last) {
+        for (int g = first; g < last; ++g)
+            for (int i = members_[g], n = to_[g]; i < members_[g + 1]; ++i, ++n) {
+                contacts_[n] = *ordered_[i];
+                watches_[n] = contacts_[n].watch;
+            }
+    });
 }
 
 // In every fourth evaluation all of them, in between those that were not clear when all were last

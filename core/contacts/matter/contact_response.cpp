@@ -1,10 +1,12 @@
 // One contact: where two touch, and the impulses across and along that part them.
+#include "../../numbers/lanes.h"
 #include "../friction.h"
 #include "answers.h"
 #include "contact_set.h"
 #include "reals.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace plait {
 
@@ -70,16 +72,26 @@ float ContactSet<Real>::room(const Watch& watch, const std::array<float, 4>& hei
 template <class Real>
 bool ContactSet<Real>::clear(const Sweep<Real>& sweep, const Watch& watch) const {
     if (watch.first == 0) return false;
-    std::array<float, 4> height;
+    std::array<float, 4> way, height;
+    if constexpr (std::is_same_v<Real, float>) {
+        using Four = Pack<4>;
+        const Vec<Four> go = gather<Four>(sweep.particles + 4, watch.vertices.data(), 8).xyz -
+                             gather<Four>(sweep.before, watch.vertices.data(), 4).xyz;
+        store(way.data(), Four(watch.normal.x) * go.x + Four(watch.normal.y) * go.y +
+                              Four(watch.normal.z) * go.z);
+    } else {
+        for (std::size_t i = 0; i < 4; ++i) {
+            const Real* const d = sweep.particles + 8 * watch.vertices[i] + 4;
+            const Real* const b = sweep.before + 4 * watch.vertices[i];
+            way[i] = watch.normal.x * static_cast<float>(d[0] - b[0]) +
+                     watch.normal.y * static_cast<float>(d[1] - b[1]) +
+                     watch.normal.z * static_cast<float>(d[2] - b[2]);
+        }
+    }
     float wrong = 0;
     for (std::size_t i = 0; i < 4; ++i) {
-        const Real* const d = sweep.particles + 8 * watch.vertices[i] + 4;
-        const Real* const b = sweep.before + 4 * watch.vertices[i];
-        const float way = watch.normal.x * static_cast<float>(d[0] - b[0]) +
-                          watch.normal.y * static_cast<float>(d[1] - b[1]) +
-                          watch.normal.z * static_cast<float>(d[2] - b[2]);
-        height[i] = watch.height[i] + way;
-        wrong += std::fabs(way);
+        height[i] = watch.height[i] + way[i];
+        wrong += std::fabs(way[i]);
     }
     return room(watch, height) > 1e-6F * wrong;
 }

@@ -184,8 +184,8 @@ void ContactSet<Real>::prepare(const Sweep<Real>& sweep, Workers& workers) {
     counts_.pairs = std::max(counts_.pairs, search_.size());
     search_.collect(parts_, 2 * widest_ + slack_, workers,
                     [&](const Pairing& pair, std::vector<Contact>& list) { consider(pair, list); });
-    sortParts();
-    colour();
+    sortParts(workers);
+    colour(workers);
     counts_.contacts = std::max(counts_.contacts, static_cast<long>(contacts_.size()));
     foreseen_ = static_cast<int>(contacts_.size());
     heading_ = end_;

@@ -100,9 +100,9 @@ private:
     // Two pieces, or one and what is pinned, by their units: all their contacts are one group,
     // which runs in sequence. Of all others (-1, -1).
     std::array<int, 2> groupOf(const Pairing& pair) const;
-    void sortParts();
+    void sortParts(Workers& workers);
     void group();
-    void colour();
+    void colour(Workers& workers);
     template <class Body>
     void forUnits(const Contact& contact, const Body& body) const;
     double frictionPart(const Surface& a, const Surface& b) const {
@@ -122,10 +122,14 @@ private:
     void part(const Sweep<Real>& sweep, Contact& contact);
     void findPoses(const Sweep<Real>& sweep, Workers& workers);
     void check(const Pairing& pair, std::vector<Contact>& list) const;
-    bool asForeseen(Workers& workers) const;
+    bool findStrays(Workers& workers);
     bool findMoved(const Sweep<Real>& sweep, Workers& workers);
+    bool hasMoved(const std::array<int, 4>& v) const {
+        return moved_[v[0]] || moved_[v[1]] || moved_[v[2]] || moved_[v[3]];
+    }
     void cross(const Sweep<Real>& sweep, Workers& workers);
     void crossMoved(const Sweep<Real>& sweep, Workers& workers);
+    bool crossForeseen(const Sweep<Real>& sweep, Workers& workers);
     int putBack(const Sweep<Real>& sweep, bool hold);
     long putEverythingBack(const Sweep<Real>& sweep) const;
     long putAllBack(const Sweep<Real>& sweep, Workers& workers, bool hold);
@@ -136,6 +140,8 @@ private:
     std::vector<Vec<double>> rest_, start_, end_, heading_;  // m, by vertex
     std::vector<Vec<double>> seen_;      // end_ when paths were last looked at; empty: not yet
     std::vector<std::uint8_t> moved_;    // by vertex: 1 if end_ is another since
+    std::vector<int> strays_;            // further from where they were heading than contacts reach
+    std::vector<std::uint8_t> isStray_;  // by vertex
     std::vector<unsigned char> pinned_;  // by vertex: it does not yield; all of a piece alike
     Pieces pieces_;
     std::vector<Pose> poses_;  // of them, in the present evaluation
@@ -162,6 +168,7 @@ private:
     std::vector<Contact*> ordered_;             // all of them
     std::vector<int> places_;                   // in ordered_, by kind and first vertex
     std::vector<int> members_;                  // where each group begins in ordered_, and the end
+    std::vector<int> to_;                       // and where it goes in contacts_
     std::vector<std::uint64_t> taken_;          // colours at each unit
     double slack_;                              // m, that contacts reach beyond their gap
     double widest_;                             // m, the largest thickness, as wide as it counts

@@ -4,26 +4,21 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 namespace plait {
-
-// Where a vertex was to be so many substeps after pairs were looked for.
-Vec<double> PairSearch::foreseen(int v, int substeps) const {
-    const double share = double(std::min(substeps, foresight)) / foresight;
-    return moved_(from_[v] + share * (to_[v] - from_[v]));
-}
 
 // Which vertices are not where they were to be; how many.
 long PairSearch::findAstray(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                             Workers& workers) {
+    const Foreseen at = foreseen(passed_), next = foreseen(passed_ + 1);
+    const double most = margin_ * margin_;
     std::atomic<long> sum{0};
     workers.forBlocks(static_cast<int>(members_.size()), 1024, [&](int first, int last) {
         long count = 0;
         for (int i = first; i < last; ++i) {
             const int v = members_[i];
-            const Vec<double> a = start[v] - foreseen(v, passed_);
-            const Vec<double> b = end[v] - foreseen(v, passed_ + 1);
-            const double most = margin_ * margin_;
+            const Vec<double> a = start[v] - at(v), b = end[v] - next(v);
             astray_[v] = !(dot(a, a) <= most && dot(b, b) <= most);
             count += astray_[v];
         }
@@ -44,10 +39,11 @@ void PairSearch::foresee(int v, const Vec<double>& from, const Vec<double>& to, 
     swept_[v] = {{boundsAt(from_), boundsAt(to_)}, static_cast<float>((1 + 1e-6) * radius + 1e-12)};
 }
 
-// All must be where they were to be at one and the same time, in this substep, in the next, or once
-// all stay: of two of which one is on its way and the other was stopped nothing is known. Distances
-// are the same after any rigid motion, so any serves; what stands on a wide floor may stay within
-// the margin of none. If it is none of these, one that fits most, or nearly all, is left.
+// All must be where they were to be at one and the same time, in the next substep, in this one, or
+// once all stay: of two of which one is on its way and the other was stopped nothing is known.
+// Distances are the same after any rigid motion, so any serves; what stands on a wide floor may
+// stay within the margin of none. If it is none of these, one that fits most, or nearly all, is
+// left.
 bool PairSearch::known(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                        Workers& workers) {
     if (from_.empty()) return false;
@@ -57,14 +53,15 @@ bool PairSearch::known(std::span<const Vec<double>> start, std::span<const Vec<d
     const auto fits = [&] {
         const long count = findAstray(start, end, workers);
         if (count < fewest) fewest = count, passed = passed_, moved = moved_;
-        return 64 * fewest <= std::ssize(members_);
+        return 16 * fewest <= std::ssize(members_);
     };
-    for (const int time : {passed_, passed_ + 1, foresight}) {
+    for (const int time : {passed_ + 1, passed_, foresight}) {
         passed_ = std::min(time, foresight);
         moved_ = {};
         if (fits()) break;
         workers.forBlocks(static_cast<int>(members_.size()), 1024, [&](int first, int last) {
-            for (int i = first; i < last; ++i) due_[members_[i]] = foreseen(members_[i], passed_);
+            const Foreseen at = foreseen(passed_);
+            for (int i = first; i < last; ++i) due_[members_[i]] = at(members_[i]);
         });
         moved_ = rigidMotion(due_, start, members_);
         if (fits()) break;
@@ -83,20 +80,18 @@ bool PairSearch::redirect(std::span<const Vec<double>> start, std::span<const Ve
     // astray. Looking for all pairs costs as much as an eighth to a quarter of the vertices.
     const long all = std::ssize(members_);
     redirected_ += findAstray(start, end, workers) + all / 256;
-    if (4 * redirected_ > all || !foreseeAstray(start, end, slack)) return false;
+    if (4 * redirected_ > all) return false;
+    std::vector<int> astray;
+    for (const int v : members_)
+        if (astray_[v]) astray.push_back(v);
+    if (!foreseeAstray(astray, start, end, slack)) return false;
     place(from_, to_, workers);
+    gatherAstray(astray);
     for (auto& side : groups_)
-        for (Group& group : side) {
-            if (group.count() == 0) continue;
-            group.isAstray.assign(static_cast<std::size_t>(group.count()), 0);
-            group.astray.clear();
-            for (int i = 0; i < group.count(); ++i) {
-                for (const int v : group.at(i)) group.isAstray[i] |= astray_[v];
-                if (group.isAstray[i]) group.astray.push_back(i);
-            }
-            const auto bound = [&](int i) { return boundsOf(group.at(i)); };
-            if (!group.astray.empty()) group.tree->refit(group.astray, bound, workers);
-        }
+        for (Group& group : side)
+            if (!group.astray.empty())
+                group.tree->refit(
+                    group.astray, [&](int i) { return boundsOf(group.at(i)); }, workers);
     for (Meeting& m : meetings_) {
         if (m.a->astray.empty() && m.b->astray.empty()) continue;
         dropAstray(m, workers);
@@ -105,12 +100,26 @@ bool PairSearch::redirect(std::span<const Vec<double>> start, std::span<const Ve
     return true;
 }
 
+// Which simplices have a corner among these.
+void PairSearch::gatherAstray(std::span<const int> vertices) {
+    for (auto& side : groups_)
+        for (Group& group : side) {
+            group.isAstray.resize(static_cast<std::size_t>(group.count()));
+            for (const int i : group.astray) group.isAstray[i] = 0;
+            group.astray.clear();
+            if (group.count() == 0) continue;
+            for (const int v : vertices)
+                for (const int i : group.around[v])
+                    if (!std::exchange(group.isAstray[i], std::uint8_t{1}))
+                        group.astray.push_back(i);
+        }
+}
+
 // On straight ways that have them where they are now at the time that has passed. Once all stay,
 // one that does not stray from its middle may stay as well.
-bool PairSearch::foreseeAstray(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
-                               double slack) {
-    for (const int v : members_) {
-        if (!astray_[v]) continue;
+bool PairSearch::foreseeAstray(std::span<const int> vertices, std::span<const Vec<double>> start,
+                               std::span<const Vec<double>> end, double slack) {
+    for (const int v : vertices) {
         const Vec<double> a = moved_.back(start[v]), b = moved_.back(end[v]), way = b - a;
         if (passed_ < foresight) {
             foresee(v, a - double(passed_) * way, a + double(foresight - passed_) * way, slack);
@@ -120,6 +129,67 @@ bool PairSearch::foreseeAstray(std::span<const Vec<double>> start, std::span<con
         foresee(v, a + 0.5 * way, a + 0.5 * way, slack);
     }
     return true;
+}
+
+// They are foreseen for this once, and asked of trees that have them elsewhere: among each other,
+// all with all. Once all others stay, they are at the end of their ways: what is clear of them
+// there, and was on the same side of where they came from, is told from where it is by bounds of
+// its way.
+std::optional<std::vector<Pairing>> PairSearch::around(std::span<const int> vertices,
+                                                       std::span<const Vec<double>> start,
+                                                       std::span<const Vec<double>> end,
+                                                       double slack, Workers& workers) {
+    if (from_.empty() || !(margin_ >= 0.5 * slack)) return {};
+    struct Was {
+        Vec<double> from, to;
+        Swept swept;
+    };
+    std::vector<Was> was;
+    for (const int v : vertices) {
+        was.push_back({from_[v], to_[v], swept_[v]});
+        const Vec<double> a = moved_.back(start[v]), b = moved_.back(end[v]), way = b - a;
+        if (passed_ < foresight) {
+            foresee(v, a - double(passed_) * way, a + double(foresight - passed_) * way, slack);
+            continue;
+        }
+        foresee(v, a, b, slack);
+        Bounds& bounds = swept_[v].bounds;
+        bounds.start.include(bounds.end);
+        bounds.end = bounds.start;
+    }
+    gatherAstray(vertices);
+    std::vector<Pairing> found;
+    for (Meeting& m : meetings_) {
+        findAround(m, workers);
+        for (const Candidate& c : m.found.pairs()) found.push_back(pairing(m, {c.a, c.b, 0}));
+    }
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const int v = vertices[i];
+        from_[v] = was[i].from, to_[v] = was[i].to, swept_[v] = was[i].swept;
+    }
+    return found;
+}
+
+void PairSearch::findAround(Meeting& m, Workers& workers) {
+    m.found.collect(1, workers, [&](int, Candidates::List& list) {
+        const auto add = [&](int a, int b) {
+            if (m.a == m.b && b < a) std::swap(a, b);
+            if (accepts(m, m.a->at(a), m.b->at(b))) list.push_back({a, b});
+        };
+        for (const int i : m.a->astray) {
+            const Bounds bounds = boundsOf(m.a->at(i));
+            m.b->tree->overlapping(bounds, [&](int j) {
+                if (!m.b->isAstray[j]) add(i, j);
+            });
+            for (const int j : m.b->astray)
+                if ((m.a != m.b || i < j) && boundsOf(m.b->at(j)).overlaps(bounds)) add(i, j);
+        }
+        if (m.a == m.b) return;
+        for (const int j : m.b->astray)
+            m.a->tree->overlapping(boundsOf(m.b->at(j)), [&](int i) {
+                if (!m.a->isAstray[i]) add(i, j);
+            });
+    });
 }
 
 void PairSearch::dropAstray(Meeting& m, Workers& workers) const {

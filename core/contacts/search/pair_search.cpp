@@ -3,9 +3,26 @@
 #include "../checks.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace plait {
+
+namespace {
+
+// By vertex, the rows of a table that it stands in.
+Csr membersOf(std::span<const int> table, int arity, std::size_t vertices) {
+    Csr members{.start = std::vector<int>(vertices + 1, 0), .item = std::vector<int>(table.size())};
+    if (table.empty()) return {};
+    for (const int v : table) ++members.start[std::size_t(v) + 1];
+    std::partial_sum(members.start.begin(), members.start.end(), members.start.begin());
+    std::vector<int> next(members.start.begin(), members.start.end() - 1);
+    for (std::size_t i = 0; i < table.size(); ++i)
+        members.item[next[table[i]]++] = static_cast<int>(i) / arity;
+    return members;
+}
+
+}  // namespace
 
 PairSearch::PairSearch(const SimplicialComplex& complex, std::vector<Surface> surfaces,
                        std::span<const unsigned char> pinned, double margin,
@@ -38,6 +55,8 @@ PairSearch::PairSearch(const SimplicialComplex& complex, std::vector<Surface> su
                                           {balls, 1}})
             side[kind].arity = arity;
     addMatter(complex);
+    for (auto& side : groups_)
+        for (Group& group : side) group.around = membersOf(group.ids, group.arity, surface_.size());
     mayMeet(points, triangles, Self::vertexFace);
     mayMeet(edges, edges, Self::full);
     mayMeet(grains, triangles, Self::vertexFace);
@@ -90,26 +109,30 @@ void PairSearch::add(Kind kind, std::span<const int> ids) {
 }
 
 void PairSearch::mayMeet(Kind a, Kind b, Self self) {
+    bool any = false;
+    for (int s = 0; s < std::ssize(surfaces_) && !any; ++s)
+        for (int t = 0; t < std::ssize(surfaces_) && !any; ++t) any = accepts(self, s, t);
     for (const auto& [i, j] : {std::pair{0, 0}, {0, 1}, {1, 0}}) {
         const Group &first = groups_[i][a], &second = groups_[j][b];
-        if ((a == b && i > j) || first.count() == 0 || second.count() == 0) continue;
+        if (!any || (a == b && i > j) || first.count() == 0 || second.count() == 0) continue;
         meetings_.push_back({.a = &first, .b = &second, .self = self, .found = {}});
     }
 }
 
+bool PairSearch::accepts(Self self, int surface, int other) const {
+    if (!ignored_.empty() && ignored_[surface * surfaces_.size() + other]) return false;
+    if (surface != other) return self != Self::vertex;
+    const Self own = surfaces_[surface].self;
+    return own >= self && (own == Self::vertex) == (self == Self::vertex);
+}
+
+// Meetings that no surfaces make are not there.
 bool PairSearch::accepts(const Meeting& meeting, std::span<const int> a,
                          std::span<const int> b) const {
-    const int s = surface_[a[0]], t = surface_[b[0]];
-    const bool own = s == t;
-    if (!ignored_.empty() && ignored_[s * surfaces_.size() + t]) return false;
-    if (meeting.self == Self::vertex && !own) return false;
-    if (own && (surfaces_[s].self < meeting.self ||
-                (surfaces_[s].self == Self::vertex) != (meeting.self == Self::vertex)))
-        return false;
     for (const int v : a)
         for (const int u : b)
             if (whole_.empty() ? u == v : whole_[u] == whole_[v]) return false;
-    return true;
+    return surfaces_.size() == 1 || accepts(meeting.self, surface_[a[0]], surface_[b[0]]);
 }
 
 // How far from a vertex its skin is at most, whatever it meets.
@@ -147,11 +170,11 @@ void PairSearch::place(std::span<const Vec<double>> start, std::span<const Vec<d
 void PairSearch::follow(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                         Workers& workers) {
     strayed_.resize(from_.size());
+    const Foreseen at = foreseen(passed_), next = foreseen(passed_ + 1);
     workers.forBlocks(static_cast<int>(members_.size()), 1024, [&](int first, int last) {
         for (int i = first; i < last; ++i) {
             const int v = members_[i];
-            const double strayed = std::max(length(start[v] - foreseen(v, passed_)),
-                                            length(end[v] - foreseen(v, passed_ + 1)));
+            const double strayed = std::max(length(start[v] - at(v)), length(end[v] - next(v)));
             strayed_[v] = static_cast<float>((1 + 1e-6) * strayed + 1e-12);
         }
     });

@@ -10,8 +10,10 @@
 #include "nearest.h"
 #include "rigid.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -43,6 +45,15 @@ public:
     void collect(std::vector<std::vector<Item>>& parts, double reach, Workers& workers,
                  const Visit& visit, std::span<const std::uint8_t> moved = {});
 
+    // All pairs that come as near as cover() has it, of simplices with one of these vertices, which
+    // go elsewhere than it was told: from start to end, while the others end within half of `slack`
+    // of where it was told. Far less work than to cover that as well, for a few. None: it cannot
+    // tell.
+    std::optional<std::vector<Pairing>> around(std::span<const int> vertices,
+                                               std::span<const Vec<double>> start,
+                                               std::span<const Vec<double>> end, double slack,
+                                               Workers& workers);
+
     long size() const;  // pairs in the list
     const std::vector<Surface>& surfaces() const { return surfaces_; }
     // By vertex: place in surfaces(), -1 of none; and thickness, m.
@@ -58,7 +69,7 @@ public:
 private:
     static constexpr int part = 2048;    // pairs to a part
     static constexpr int foresight = 4;  // substeps; what is longer ahead comes otherwise
-    static constexpr int slabs = 14;
+    static constexpr int slabs = 6;
     using Bounds = MovingKDop<slabs>;
     using Tree = BoundsTree<Bounds>;
 
@@ -69,6 +80,7 @@ private:
         std::unique_ptr<Tree> tree{};
         std::vector<float> strayed{};  // m: how far each is off the way foreseen, at most
         std::vector<float> reach{};    // m: how near others must come to be listed with each
+        Csr around{};                  // by vertex, those that have it
         std::vector<std::uint8_t> isAstray{};  // 1: a corner is
         std::vector<std::uint8_t> moved{};     // 1: a corner has
         std::vector<int> astray{};             // those
@@ -96,8 +108,21 @@ private:
     void add(Kind kind, std::span<const int> ids);
     void mayMeet(Kind a, Kind b, Self self);
     bool accepts(const Meeting& meeting, std::span<const int> a, std::span<const int> b) const;
+    bool accepts(Self self, int surface, int other) const;
     double reachOf(int vertex) const;
-    Vec<double> foreseen(int vertex, int substeps) const;
+    // Where vertices were to be so many substeps after pairs were looked for.
+    struct Foreseen {
+        const PairSearch& search;
+        double share;
+        Vec<double> operator()(int v) const {
+            const Vec<double>& from = search.from_[v];
+            const Vec<double> at = from + share * (search.to_[v] - from);
+            return search.moved_.isNone ? at : search.moved_(at);
+        }
+    };
+    Foreseen foreseen(int substeps) const {
+        return {*this, double(std::min(substeps, foresight)) / foresight};
+    }
     long findAstray(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                     Workers& workers);
     bool known(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
@@ -105,11 +130,13 @@ private:
     void foresee(int vertex, const Vec<double>& from, const Vec<double>& to, double slack);
     bool redirect(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
                   double slack, Workers& workers);
-    bool foreseeAstray(std::span<const Vec<double>> start, std::span<const Vec<double>> end,
-                       double slack);
+    bool foreseeAstray(std::span<const int> vertices, std::span<const Vec<double>> start,
+                       std::span<const Vec<double>> end, double slack);
+    void gatherAstray(std::span<const int> vertices);
     Bounds boundsOf(std::span<const int> ids) const;
     void dropAstray(Meeting& meeting, Workers& workers) const;
     void findAnew(Meeting& meeting, Workers& workers);
+    void findAround(Meeting& meeting, Workers& workers);
     void search(std::span<const Vec<double>> start, std::span<const Vec<double>> end, double slack,
                 Workers& workers);
     void sift(Meeting& meeting, Workers& workers);

@@ -32,6 +32,7 @@ Rigid rigidMotion(std::span<const Vec<double>> before, std::span<const Vec<doubl
                   std::span<const int> vertices) {
     Rigid motion;
     if (vertices.empty()) return motion;
+    motion.isNone = false;
     const double share = 1 / static_cast<double>(vertices.size());
     for (const int v : vertices) motion.from += share * before[v], motion.to += share * now[v];
     Matrix sums{};  // of now times before, by columns of before

@@ -12,6 +12,7 @@ namespace plait {
 struct Rigid {
     std::array<Vec<double>, 3> rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  // of a rotation
     Vec<double> from{}, to{};                                            // m
+    bool isNone = true;                                                  // nothing moves
 
     Vec<double> operator()(const Vec<double>& x) const {
         const Vec<double> a = x - from;
