@@ -2,6 +2,7 @@
 #include "demos/bench/air.h"
 #include "demos/bench/broadphase.h"
 #include "demos/bench/ccd.h"
+#include "demos/bench/contacts.h"
 #include "demos/bench/core.h"
 #include "demos/bench/detection.h"
 #include "demos/bench/drape.h"
@@ -19,7 +20,7 @@ namespace {
 int bench(const Arguments& arguments) {
     const std::string what = arguments.operands.empty() ? "core" : arguments.operands[0];
     std::vector<std::string> names{"core",  "air",   "ccd",  "broadphase", "detection",
-                                   "sheet", "drape", "rods", "pile"};
+                                   "sheet", "drape", "rods", "pile",       "contacts"};
     for (const SceneEntry& entry : scenes())
         if (entry.name != "pile") names.push_back(entry.name);
     switch (parseChoice("bench", what, names)) {
@@ -41,6 +42,8 @@ int bench(const Arguments& arguments) {
             return benchRods();
         case 8:
             return benchPile(requestedThreads(arguments));
+        case 9:
+            return benchContacts(requestedThreads(arguments));
         default:
             return benchScene(what, requestedThreads(arguments));
     }
@@ -51,11 +54,12 @@ int bench(const Arguments& arguments) {
 Command benchCommand() {
     return {
         .name = "bench",
-        .operands = {"[core|air|ccd|broadphase|detection|sheet|drape|rods|pile|SCENE]"},
+        .operands = {"[core|air|ccd|broadphase|detection|sheet|drape|rods|pile|contacts|SCENE]"},
         .meaning =
             "prints speeds: of a constraint, of the air, of collision queries, of the broad "
             "phase, of looking for contacts, of sheets that do not stretch, of one that falls on a "
-            "ball, of rods, of a heap of shards, or of a scene from numbers to film",
+            "ball, of rods, of a heap of shards, of what contacts cost, or of a scene from numbers "
+            "to film",
         .options = {threadsOption()},
         .examples = {"bench core", "bench hanging-sheet"},
         .run = bench};
