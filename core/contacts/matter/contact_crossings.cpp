@@ -92,6 +92,7 @@ void ContactSet<Real>::cross(const Sweep<Real>& sweep, Workers& workers) {
 template <class Real>
 void ContactSet<Real>::crossMoved(const Sweep<Real>& sweep, Workers& workers) {
     if (!crossForeseen(sweep, workers)) {
+        isElsewhere_ = true;
         counts_.searches += search_.cover(start_, end_, slack_, workers);
         search_.collect(
             parts_, 0.5 * widest_, workers,
@@ -111,6 +112,7 @@ bool ContactSet<Real>::crossForeseen(const Sweep<Real>& sweep, Workers& workers)
     if (!findStrays(workers)) return false;
     std::optional<std::vector<Pairing>> round;
     if (!strays_.empty()) {
+        if (isElsewhere_) return false;
         round = search_.around(strays_, start_, end_, slack_, workers);
         if (!round) return false;
     }

@@ -189,6 +189,7 @@ void ContactSet<Real>::prepare(const Sweep<Real>& sweep, Workers& workers) {
     counts_.contacts = std::max(counts_.contacts, static_cast<long>(contacts_.size()));
     foreseen_ = static_cast<int>(contacts_.size());
     heading_ = end_;
+    isElsewhere_ = false;
     ready_ = true;
 }
 

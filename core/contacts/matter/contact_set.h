@@ -142,6 +142,7 @@ private:
     std::vector<std::uint8_t> moved_;    // by vertex: 1 if end_ is another since
     std::vector<int> strays_;            // further from where they were heading than contacts reach
     std::vector<std::uint8_t> isStray_;  // by vertex
+    bool isElsewhere_ = false;           // search_ was told other ways since than those to heading_
     std::vector<unsigned char> pinned_;  // by vertex: it does not yield; all of a piece alike
     Pieces pieces_;
     std::vector<Pose> poses_;  // of them, in the present evaluation
